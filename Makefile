@@ -1,0 +1,255 @@
+# thermoroll: from the chapters in paper/ to the program, the data, the figures and the report.
+# `make help` lists the goals. Everything generated is in build/, but for src/, which is tangled and
+# committed, and figures/golden/, which only `make golden` writes.
+
+MAKEFLAGS += --no-builtin-rules
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := all
+export LC_ALL := C.UTF-8
+
+# --- Packages -------------------------------------------------------------------------------------
+# The one list of Debian packages, by goal; appendix C of the report gives the reason for each.
+
+build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
+figure_packages := $(build_packages) gnuplot-nox
+test_packages := $(figure_packages) libgtest-dev clang-format clang-tidy libxml2-utils chromium
+
+packages_for_all := $(build_packages)
+packages_for_install := $(build_packages)
+packages_for_golden := $(build_packages)
+packages_for_data := $(build_packages)
+packages_for_figures := $(figure_packages)
+packages_for_report := $(figure_packages)
+packages_for_reproduce := $(figure_packages)
+packages_for_test := $(test_packages)
+packages_for_debug := $(build_packages) libgtest-dev
+packages_for_asan := $(build_packages) libgtest-dev
+packages_for_coverage := $(build_packages) libgtest-dev
+packages_for_bench := $(build_packages) libbenchmark-dev
+packages_for_pdf := $(figure_packages) chromium
+packages_for_clean :=
+packages_for_help :=
+
+# The command by which a package shows that it is there; CMake looks for the libraries.
+command_of_g++ := $(firstword $(CXX))
+command_of_cmake := cmake
+command_of_pandoc := pandoc
+command_of_gnuplot-nox := gnuplot
+command_of_clang-format := clang-format
+command_of_clang-tidy := clang-tidy
+command_of_libxml2-utils := xmllint
+command_of_chromium := chromium
+
+needs = $(if $(filter undefined,$(origin packages_for_$1)),$(packages_for_reproduce),$(packages_for_$1))
+other_goals := $(filter-out setup,$(MAKECMDGOALS))
+
+ifneq ($(filter setup,$(MAKECMDGOALS)),)
+# --- make setup GOAL...: install what the goals need, then make them ------------------------------
+
+packages := $(sort $(foreach goal,$(or $(other_goals),reproduce),$(call needs,$(goal))))
+
+.PHONY: setup $(other_goals)
+$(other_goals): setup ; @:
+
+setup:
+	@command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || { \
+	  echo "setup: no apt-get here; install the like of: $(packages); then leave 'setup' out" >&2; exit 1; }; \
+	missing=; for package in $(packages); do \
+	  [ "$$(dpkg-query -W -f '$${db:Status-Status}' $$package 2>/dev/null)" = installed ] || \
+	    missing="$$missing $$package"; \
+	done; \
+	[ -n "$$missing" ] || exit 0; \
+	if [ "$$(id -u)" = 0 ]; then sudo=; elif command -v sudo >/dev/null; then sudo=sudo; else \
+	  echo "setup: not root; ask for: apt-get install --no-install-recommends$$missing" >&2; exit 1; fi; \
+	echo "setup: installing$$missing"; \
+	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq update && \
+	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o Dpkg::Use-Pty=0 \
+	  install --no-install-recommends $$missing >/dev/null
+	$(if $(other_goals),+@$(MAKE) --no-print-directory $(other_goals))
+
+else
+# --- Every other goal stops at once without its commands ------------------------------------------
+
+packages := $(sort $(foreach goal,$(or $(MAKECMDGOALS),all),$(call needs,$(goal))))
+lacks_command = $(if $(command_of_$1),$(if $(shell command -v '$(command_of_$1)' 2>/dev/null),,$1))
+missing := $(strip $(foreach package,$(packages),$(call lacks_command,$(package))))
+ifneq ($(missing),)
+$(error $(foreach package,$(missing),$(command_of_$(package))) not found: \
+  run 'make setup $(MAKECMDGOALS)' or 'apt-get install $(missing)')
+endif
+
+# --- What there is to make ------------------------------------------------------------------------
+
+chapters := $(wildcard paper/*.md)
+sources := $(wildcard src/*.cpp src/*.hpp)
+figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
+tables := claims resolution coincident
+
+data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
+figure_files := $(patsubst %,build/figures/%.svg,$(figures))
+
+# A step is announced by its place among all steps and the seconds since the start.
+steps := build/tangle.stamp build/built $(data_files) build/data/claims.txt $(figure_files) \
+  build/report.html
+ifndef THERMOROLL_STARTED
+export THERMOROLL_STARTED := $(shell date +%s)
+endif
+up_to = $(firstword $2) $(if $(filter $1,$(firstword $2)),,$(call up_to,$1,$(wordlist 2,$(words $2),$2)))
+step = @printf '[%2d/%d %4d s] %s\n' $(words $(call up_to,$@,$(steps))) $(words $(steps)) \
+  $$(($$(date +%s) - $(THERMOROLL_STARTED))) '$1'
+
+# Under -j the build shares make's job slots; otherwise it takes every processor.
+processors = $$(nproc 2>/dev/null || echo 2)
+parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,--parallel $(processors))
+
+.PHONY: all setup data figures report reproduce test bench golden pdf coverage debug asan install \
+  clean help FORCE
+
+## all: build the program build/thermoroll (the default)
+all: build/thermoroll
+
+## setup: install the Debian packages that the goals named beside it need
+setup:
+
+## reproduce: everything: program, data, figures, report, and the table of claims
+reproduce: build/report.html build/data/claims.txt
+	@cat build/data/claims.txt
+	@echo "The report is build/report.html"
+
+## data: compute every table
+data: $(data_files)
+
+## figures: draw every figure
+figures: $(figure_files)
+
+## report: write build/report.html
+report: build/report.html
+
+# --- Program --------------------------------------------------------------------------------------
+
+build build/data build/figures:
+	@mkdir -p $@
+
+# The tangler touches a file in src/ only when its content changes, so prose alone compiles nothing.
+build/tangle.stamp: paper/tangle.lua $(chapters) | build
+	$(call step,tangling the chapters)
+	@pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null $(chapters)
+	@touch $@
+
+build/release/Makefile: | build/tangle.stamp
+	@cmake --preset release >build/configure.log || { cat build/configure.log; exit 1; }
+
+build/built: build/tangle.stamp CMakeLists.txt CMakePresets.json $(sources) | build/release/Makefile
+	$(call step,compiling the program)
+	+@cmake --build build/release --target thermoroll-cli $(parallel)
+	@ln -sf release/thermoroll build/thermoroll
+	@touch $@
+
+# An empty recipe: what follows is made again only when the program itself is newer.
+build/thermoroll: build/built ;
+
+# --- Data, figures, report: written aside, then renamed -------------------------------------------
+
+$(data_files): build/thermoroll | build/data
+	$(call step,computing $@)
+	@build/thermoroll figure-data $(basename $(@F)) --output $@
+
+| build/data
+	$(call step,computing $@)
+	@build/thermoroll figure-data $* --output $@
+
+build/data/values.json: build/thermoroll | build/data
+	$(call step,computing $@)
+	@build/thermoroll figure-data values --output $@
+
+build/data/claims.txt: build/thermoroll | build/data
+	$(call step,writing $@)
+	@build/thermoroll claims --format text >$@.tmp
+	@mv $@.tmp $@
+
+build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figures
+	$(call step,drawing $@)
+	@gnuplot -e "data='build/data/$*.csv'; output='$@.tmp'" figures/$*.gp
+	@mv $@.tmp $@
+
+build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
+    $(data_files) $(figure_files) $(patsubst %,figures/%.gp,$(figures) style)
+	$(call step,writing $@)
+	@false
+	@mv $@.tmp $@
+
+# --- Tests and checks -----------------------------------------------------------------------------
+
+# The tests and the benchmarks are switched on, once, in the tree that has the program.
+build/release/with-%: | build/release/Makefile
+	@cmake -DTHERMOROLL_$(if $(filter tests,$*),TESTS,BENCH)=ON build/release >build/configure.log \
+	  || { cat build/configure.log; exit 1; }
+	@touch $@
+ifneq ($(filter test,$(MAKECMDGOALS)),)
+build/built: | build/release/with-tests
+endif
+ifneq ($(filter bench,$(MAKECMDGOALS)),)
+build/built: | build/release/with-bench
+endif
+
+# ctest and what it runs must not take part in this make's job slots.
+ctest := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u THERMOROLL_STARTED ctest --output-on-failure
+
+## test: every test, through CTest
+test: build/report.html build/data/claims.txt
+	@echo "Building the tests"
+	+@cmake --build build/release $(parallel)
+	@$(ctest) --test-dir build/release -j $(processors)
+
+## debug: build/debug, where errors and the debugger name the chapter
+## asan: the unit tests under the address and undefined-behaviour sanitizers
+## coverage: the share of each chapter's code that the unit tests run
+debug: preset := debug
+asan: preset := asan-ubsan
+coverage: preset := coverage
+debug asan coverage: build/tangle.stamp
+	@cmake --preset $(preset)
+	+@cmake --build build/$(preset) $(parallel)
+	@$(if $(filter asan,$@),$(ctest) --test-dir build/$(preset) -L unit -j $(processors))
+	@$(if $(filter coverage,$@),$(ctest) --test-dir build/$(preset) -L unit -j $(processors) --quiet)
+	@$(if $(filter coverage,$@),sh tests/coverage.sh build/coverage)
+
+## bench: how long the solvers take
+bench: build/thermoroll
+	+@cmake --build build/release --target thermoroll-bench $(parallel)
+	@build/release/thermoroll-bench
+
+## golden: take today's data as the golden data of the tests
+golden: $(data_files)
+	@mkdir -p figures/golden
+	@cp $(filter %.csv,$(data_files)) figures/golden/
+	@git status --short figures/golden 2>/dev/null || true
+
+# --- The rest -------------------------------------------------------------------------------------
+
+browser := chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
+  --disable-background-networking --disable-component-update --disable-sync
+
+## pdf: print the report to build/report.pdf (needs chromium)
+pdf: build/report.pdf
+build/report.pdf: build/report.html
+	@profile=$$(mktemp -d); trap 'rm -rf "$$profile"' EXIT; \
+	$(browser) --user-data-dir="$$profile" --no-pdf-header-footer --print-to-pdf=$@.tmp \
+	  "file://$$PWD/build/report.html" 2>build/pdf.log || { cat build/pdf.log; exit 1; }
+	@mv $@.tmp $@
+	@echo "The PDF is $@"
+
+PREFIX ?= /usr/local
+## install: program, library, headers, CMake package to PREFIX (/usr/local); DESTDIR is heeded
+install: build/thermoroll
+	@cmake --install build/release --prefix "$(PREFIX)"
+
+## clean: remove build/
+clean:
+	@rm -rf build
+
+## help: this list
+help:
+	@sed -n 's/^## \([a-z]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
+
+endif
