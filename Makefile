@@ -154,14 +154,6 @@ $(data_files): build/thermoroll | build/data
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
 
-| build/data
-	$(call step,computing $@)
-	@build/thermoroll figure-data $* --output $@
-
-build/data/values.json: build/thermoroll | build/data
-	$(call step,computing $@)
-	@build/thermoroll figure-data values --output $@
-
 build/data/claims.txt: build/thermoroll | build/data
 	$(call step,writing $@)
 	@build/thermoroll claims --format text >$@.tmp
