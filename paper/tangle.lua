@@ -138,7 +138,7 @@ local function header(from)
   local chapters = {}
   for source in pairs(from) do table.insert(chapters, "paper/" .. source:match("[^/]*$")) end
   table.sort(chapters)
-  return "// Tangled from " .. table.concat(chapters, ", ") .. ": edit the chapter, not this file."
+  return "// Tangled from " .. table.concat(chapters, ", ") .. "; edit there."
 end
 
 -- 4. Write: only what changed, never half a file ---------------------------------------------------

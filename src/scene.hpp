@@ -1,0 +1,58 @@
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md; edit there.
+#pragma once
+
+#include <string>
+
+namespace thermoroll {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// A rolling-contact case in the four dimensionless groups of @eq:groups.
+struct Scene {
+  double friction;  ///< f > 0
+  double traction;  ///< Q* = Q/P, 0 < Q* < f (at f the whole contact slips)
+  double peclet;    ///< Pe = V a / 2k > 0
+  double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
+};
+
+/// A rolling contact in SI units (@tbl:steel). All fields positive, poisson below 1/2.
+struct PhysicalCase {
+  double load;           ///< P, load per unit length, N/m
+  double speed;          ///< V, rolling speed, m/s
+  double half_width;     ///< a, half-width of the contact, m
+  double shear_modulus;  ///< mu, of both bodies, Pa
+  double poisson;        ///< nu, of both bodies
+  double expansion;      ///< alpha, thermal expansion of the half-space, 1/degree C
+  double diffusivity;    ///< k, thermal diffusivity of the half-space, m^2/s
+  double conductivity;   ///< K, thermal conductivity of the half-space, W/(m degree C)
+};
+
+/// The SI value of one dimensionless unit (@eq:scaled-variables, @eq:temperature-scale).
+struct Units {
+  double traction;     ///< P/a, of p* and q*, Pa
+  double slip;         ///< 2(1-nu) P V / (mu a), of v*, m/s
+  double heat_flux;    ///< f V 2(1-nu) P^2 / (mu a^2), of v* p*, W/m^2
+  double temperature;  ///< heat_flux a / K, of T*, degree C
+};
+
+/// The dimensionless groups of a case, @eq:groups.
+Scene scene_of(const PhysicalCase& c, double friction, double traction);
+
+/// What one dimensionless unit is worth in this case.
+Units units_of(const PhysicalCase& c, double friction);
+
+/// Hertz's half-width a in m, @eq:kappa, from N/m, m, Pa; all positive.
+double hertz_half_width(double load, double radius, double shear_modulus, double poisson);
+
+/// The wheel on its rail that the paper computes, @tbl:steel.
+PhysicalCase wheel_on_rail();
+
+/// Throw std::invalid_argument naming the value and what is allowed, unless the data make sense.
+void check(const Scene& scene);
+void check(const PhysicalCase& c);
+
+/// Throw std::invalid_argument "name = value is not allowed: it must be range", unless allowed
+/// and value is finite.
+void require(bool allowed, const std::string& name, double value, const std::string& range);
+
+}  // namespace thermoroll
