@@ -98,9 +98,12 @@ up_to = $(firstword $2) $(if $(filter $1,$(firstword $2)),,$(call up_to,$1,$(wor
 step = @printf '[%2d/%d %4d s] %s\n' $(words $(call up_to,$@,$(steps))) $(words $(steps)) \
   $$(($$(date +%s) - $(THERMOROLL_STARTED))) '$1'
 
-# Under -j the build shares make's job slots; otherwise it takes every processor.
-processors = $$(nproc 2>/dev/null || echo 2)
-parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,--parallel $(processors))
+# CMake and CTest are run apart from this make's job slots; they take every processor unless told.
+export CMAKE_BUILD_PARALLEL_LEVEL ?= $(shell nproc 2>/dev/null || echo 2)
+export CTEST_PARALLEL_LEVEL ?= $(CMAKE_BUILD_PARALLEL_LEVEL)
+apart := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u THERMOROLL_STARTED
+compile := $(apart) cmake --build
+ctest := $(apart) ctest --output-on-failure
 
 .PHONY: all setup data figures report reproduce test bench golden pdf coverage debug asan install \
   clean help FORCE
@@ -137,11 +140,11 @@ build/tangle.stamp: paper/tangle.lua $(chapters) | build
 	@touch $@
 
 build/release/Makefile: | build/tangle.stamp
-	@cmake --preset release >build/configure.log || { cat build/configure.log; exit 1; }
+	@$(apart) cmake --preset release >build/configure.log || { cat build/configure.log; exit 1; }
 
 build/built: build/tangle.stamp CMakeLists.txt CMakePresets.json $(sources) | build/release/Makefile
 	$(call step,compiling the program)
-	+@cmake --build build/release --target thermoroll-cli $(parallel)
+	@$(compile) build/release --target thermoroll-cli
 	@ln -sf release/thermoroll build/thermoroll
 	@touch $@
 
@@ -184,14 +187,11 @@ ifneq ($(filter bench,$(MAKECMDGOALS)),)
 build/built: | build/release/with-bench
 endif
 
-# ctest and what it runs must not take part in this make's job slots.
-ctest := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u THERMOROLL_STARTED ctest --output-on-failure
-
 ## test: every test, through CTest
 test: build/report.html build/data/claims.txt
 	@echo "Building the tests"
-	+@cmake --build build/release $(parallel)
-	@$(ctest) --test-dir build/release -j $(processors)
+	@$(compile) build/release
+	@$(ctest) --test-dir build/release
 
 ## debug: build/debug, where errors and the debugger name the chapter
 ## asan: the unit tests under the address and undefined-behaviour sanitizers
@@ -201,14 +201,14 @@ asan: preset := asan-ubsan
 coverage: preset := coverage
 debug asan coverage: build/tangle.stamp
 	@cmake --preset $(preset)
-	+@cmake --build build/$(preset) $(parallel)
-	@$(if $(filter asan,$@),$(ctest) --test-dir build/$(preset) -L unit -j $(processors))
-	@$(if $(filter coverage,$@),$(ctest) --test-dir build/$(preset) -L unit -j $(processors) --quiet)
+	@$(compile) build/$(preset)
+	@$(if $(filter asan,$@),$(ctest) --test-dir build/$(preset) -L unit)
+	@$(if $(filter coverage,$@),$(ctest) --test-dir build/$(preset) -L unit --quiet)
 	@$(if $(filter coverage,$@),sh tests/coverage.sh build/coverage)
 
 ## bench: how long the solvers take
 bench: build/thermoroll
-	+@cmake --build build/release --target thermoroll-bench $(parallel)
+	@$(compile) build/release --target thermoroll-bench
 	@build/release/thermoroll-bench
 
 ## golden: take today's data as the golden data of the tests
