@@ -143,7 +143,7 @@ int a;
 END
   tangle 02-b.md 01-a.md
   [ "$(head -n 1 src/a.cpp)" = \
-    "// Tangled from paper/01-a.md, paper/02-b.md: edit the chapter, not this file." ] ||
+    "// Tangled from paper/01-a.md, paper/02-b.md; edit there." ] ||
     fail "header: $(head -n 1 src/a.cpp)"
 }
 

@@ -1,0 +1,210 @@
+#!/usr/bin/env bash
+# make_test.sh CASE: one promise of the Makefile, run in the project's folder. The cases are the
+# functions below that begin with a capital.
+source tests/common.sh
+unset MAKEFLAGS MFLAGS MAKELEVEL THERMOROLL_STARTED
+project=$PWD
+copy="$project/build/make-test/a copy"
+fakes="$work/fakes"
+mkdir "$fakes"
+
+# fake NAME: a command from stdin, found before the true one.
+fake() {
+  { echo '#!/bin/sh'; cat; } >"$fakes/$1"
+  chmod +x "$fakes/$1"
+}
+
+with_fakes() { env PATH="$fakes:$PATH" "$@"; }
+
+# hide NAME: a folder of all commands but this one, to be the PATH.
+hide() {
+  local folders folder
+  mkdir "$work/bin"
+  IFS=: read -ra folders <<<"$PATH"
+  for folder in "${folders[@]}"; do ln -sf "$folder"/* "$work/bin/"; done
+  rm -f "$work/bin/$1"
+}
+
+# The steps that a log tells of, without their numbers and times.
+steps() { sed -n 's|^\[ *[0-9]*/[0-9]* *[0-9]* s\] ||p' "$1"; }
+
+expect_steps() {
+  local log=$1
+  shift
+  diff <(printf '%s\n' "$@" | sort) <(steps "$log" | sort) || fail "unexpected steps: $(cat "$log")"
+}
+
+# A copy of the project, built from nothing; data and figures are taken over to save the time.
+BuildsInFolderWithSpace() {
+  rm -rf "$copy"
+  mkdir -p "$copy"
+  tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
+  cd "$copy"
+  make all >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'tangling the chapters' 'compiling the program'
+  build/thermoroll --version
+  cp -r "$project/build/data" "$project/build/figures" build/
+  make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'writing build/report.html'
+  cmp "$project/build/report.html" build/report.html
+}
+
+SecondRunDoesNothing() { # in the copy
+  cd "$copy"
+  touch "$work/before"
+  make reproduce >"$work/log"
+  [ -z "$(steps "$work/log")" ] || fail "a second run worked: $(cat "$work/log")"
+  [ -z "$(find . -newer "$work/before" -type f)" ] || fail "a second run wrote files"
+  grep -q build/report.html "$work/log" || fail "the report is not named: $(cat "$work/log")"
+}
+
+ProseEditRewritesTheReportOnly() { # in the copy
+  cd "$copy"
+  printf '\nOne sentence more.\n' >>paper/09-conclusions.md
+  touch "$work/before"
+  make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'tangling the chapters' 'compiling the program' \
+    'writing build/report.html'
+  [ -z "$(find src build/release build/data build/figures -newer "$work/before" \
+    \( -name '*.?pp' -o -name '*.o' -o -name '*.a' -o -name thermoroll -o -path 'build/data/*' \
+    -o -path 'build/figures/*' \))" ] || fail "something was compiled, computed or drawn"
+  grep -q 'One sentence more' build/report.html || fail "the report is not new"
+}
+
+FigureScriptEditRedrawsOneFigure() { # in the copy
+  cd "$copy"
+  echo '# a comment' >>figures/slip.gp
+  make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html'
+}
+
+# gnuplot and pandoc that die half-way: what was there stays, and the next run mends it.
+InterruptedRunLeavesNothingHalfWritten() { # in the copy
+  cd "$copy"
+  local signal before
+  fake gnuplot <<'END'
+for argument; do case $argument in *output=*) output=${argument##*output=\'}; output=${output%\'*};; esac; done
+echo '<svg' >"$output"
+kill -$SIGNAL $PPID
+exit 1
+END
+  before=$(cksum <build/figures/slip.svg)
+  for signal in TERM INT KILL; do
+    touch figures/slip.gp
+    ! SIGNAL=$signal with_fakes make figures >"$work/log" 2>&1 || fail "$signal went unnoticed"
+    [ ! -e build/figures/slip.svg ] || [ "$(cksum <build/figures/slip.svg)" = "$before" ] ||
+      fail "$signal left half a figure"
+    make figures >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+    [ "$(cksum <build/figures/slip.svg)" = "$before" ] || fail "the next run did not mend it"
+  done
+}
+
+# Figures drawn two at a time are the same figures.
+TwoJobsDrawTheSameFigures() { # in the copy
+  cd "$copy"
+  mv build/figures "$work/one-job"
+  make -j2 reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  diff -r "$work/one-job" build/figures || fail "figures differ"
+}
+
+# Without gnuplot: nothing is begun, and the package and the command that installs it are named.
+MissingCommand() {
+  hide gnuplot
+  mkdir "$work/project"
+  cp -r Makefile CMakeLists.txt CMakePresets.json paper src figures "$work/project"
+  cd "$work/project"
+  ! PATH="$work/bin" make figures >"$work/log" 2>&1 || fail "worked without gnuplot"
+  grep -q "gnuplot not found.*make setup figures.*apt-get install gnuplot-nox" "$work/log" ||
+    fail "said: $(cat "$work/log")"
+  [ "$(wc -l <"$work/log")" = 1 ] || fail "more than one line: $(cat "$work/log")"
+  [ ! -e build ] || fail "something was begun"
+  PATH="$work/bin" make -n all >/dev/null 2>&1 || fail "gnuplot is not needed to build"
+}
+
+MissingLibrary() {
+  local pair
+  for pair in Eigen3:libeigen3-dev GSL:libgsl-dev CLI11:libcli11-dev \
+    nlohmann_json:nlohmann-json3-dev GTest:libgtest-dev benchmark:libbenchmark-dev; do
+    ! cmake -B "$work/build" -DTHERMOROLL_TESTS=ON -DTHERMOROLL_BENCH=ON \
+      -DCMAKE_DISABLE_FIND_PACKAGE_"${pair%:*}"=ON >"$work/log" 2>&1 || fail "worked without $pair"
+    tr -s '\n ' ' ' <"$work/log" | grep -q "${pair%:*} is missing.*apt-get install ${pair#*:} " ||
+      fail "$pair: said: $(cat "$work/log")"
+    rm -rf "$work/build"
+  done
+}
+
+# A Debian on which nothing is installed yet, and an apt-get that only tells what it was asked for.
+bare_debian() {
+  fake dpkg-query <<<'exit 1'
+  fake id <<<'echo 0'
+  fake apt-get <<<"echo \"apt-get \$*\" >>'$work/asked'"
+}
+
+SetupInstallsWhatTheGoalsNeed() {
+  bare_debian
+  with_fakes make setup help >/dev/null
+  [ ! -e "$work/asked" ] || fail "help needs nothing: $(cat "$work/asked")"
+  with_fakes make setup >/dev/null
+  grep -q ' update$' "$work/asked" || fail "no update: $(cat "$work/asked")"
+  grep -q -- '--no-install-recommends.* gnuplot-nox' "$work/asked" || fail "$(cat "$work/asked")"
+  ! grep -q 'chromium\|libgtest-dev\|libbenchmark-dev' "$work/asked" ||
+    fail "more than reproduce needs: $(cat "$work/asked")"
+}
+
+SetupIsQuietWhenAllIsThere() {
+  fake dpkg-query <<<'printf installed'
+  fake apt-get <<<"echo \"apt-get \$*\" >>'$work/asked'"
+  with_fakes make setup >"$work/log"
+  [ ! -e "$work/asked" ] || fail "apt-get ran: $(cat "$work/asked")"
+  [ ! -s "$work/log" ] || fail "said: $(cat "$work/log")"
+}
+
+SetupComesFirst() { # in the copy
+  cd "$copy"
+  bare_debian
+  fake apt-get <<<"echo install >>'$work/order'; sleep 0.3"
+  fake gnuplot <<<"echo draw >>'$work/order'; exec $(command -v gnuplot) \"\$@\""
+  touch figures/slip.gp
+  with_fakes make -j2 figures setup >/dev/null
+  [ "$(uniq "$work/order" | tr '\n' ' ')" = "install draw " ] || fail "order: $(cat "$work/order")"
+}
+
+SetupWithoutRootOrSudo() {
+  bare_debian
+  fake id <<<'echo 1000'
+  hide sudo
+  ! PATH="$fakes:$work/bin" make setup >"$work/log" 2>&1 || fail "worked without root"
+  grep -q 'not root.*apt-get install --no-install-recommends cmake' "$work/log" ||
+    fail "said: $(cat "$work/log")"
+  [ ! -e "$work/asked" ] || fail "apt-get ran"
+}
+
+SetupWithoutDebian() {
+  hide apt-get
+  ! PATH="$work/bin" make setup >"$work/log" 2>&1 || fail "worked without apt-get"
+  grep -q "no apt-get here.*pandoc" "$work/log" || fail "said: $(cat "$work/log")"
+}
+
+# What make install puts there can be found by CMake and used.
+InstalledPackage() { # in the copy
+  cd "$copy"
+  make install PREFIX="$work/prefix" >/dev/null
+  "$work/prefix/bin/thermoroll" --version
+  mkdir "$work/user"
+  cat >"$work/user/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.21)
+project(user CXX)
+find_package(thermoroll REQUIRED)
+add_executable(user user.cpp)
+target_link_libraries(user PRIVATE thermoroll::thermoroll)
+END
+  cat >"$work/user/user.cpp" <<'END'
+#include <thermoroll/scene.hpp>
+int main() { return thermoroll::wheel_on_rail().speed > 0 ? 0 : 1; }
+END
+  cmake -S "$work/user" -B "$work/user/build" -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
+  cmake --build "$work/user/build" >/dev/null
+  "$work/user/build/user"
+}
+
+"$1"
