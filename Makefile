@@ -82,7 +82,8 @@ endif
 
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*.cpp src/*.hpp)
-figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
+shared_scripts := figures/style.gp figures/temperature.gp
+figures := $(patsubst figures/%.gp,%,$(filter-out $(shared_scripts),$(wildcard figures/*.gp)))
 tables := claims resolution coincident
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
@@ -162,15 +163,18 @@ build/data/claims.txt: build/thermoroll | build/data
 	@build/thermoroll claims --format text >$@.tmp
 	@mv $@.tmp $@
 
-build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figures
+build/figures/%.svg: figures/%.gp $(shared_scripts) build/data/%.csv | build/figures
 	$(call step,drawing $@)
 	@gnuplot -e "data='build/data/$*.csv'; output='$@.tmp'" figures/$*.gp
 	@mv $@.tmp $@
 
+revision = $(shell git describe --always --dirty 2>/dev/null)
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(data_files) $(figure_files) $(patsubst %,figures/%.gp,$(figures) style)
+    $(data_files) $(figure_files)
 	$(call step,writing $@)
-	@false
+	@pandoc $(chapters) -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings \
+	  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib \
+	  --template paper/template.html $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@
 
 # --- Tests and checks -----------------------------------------------------------------------------
@@ -193,18 +197,27 @@ test: build/report.html build/data/claims.txt
 	@$(compile) build/release
 	@$(ctest) --test-dir build/release
 
+# These builds compile their own tangled copy, with #line.
+build_preset = @$(apart) cmake --preset $1 >build/configure.log || { cat build/configure.log; exit 1; }
+
 ## debug: build/debug, where errors and the debugger name the chapter
+debug: | build
+	$(call build_preset,debug)
+	@$(compile) build/debug
+
 ## asan: the unit tests under the address and undefined-behaviour sanitizers
+asan: | build
+	$(call build_preset,asan-ubsan)
+	@$(compile) build/asan-ubsan --target unit-tests
+	@$(ctest) --test-dir build/asan-ubsan -L unit
+
 ## coverage: the share of each chapter's code that the unit tests run
-debug: preset := debug
-asan: preset := asan-ubsan
-coverage: preset := coverage
-debug asan coverage: build/tangle.stamp
-	@cmake --preset $(preset)
-	@$(compile) build/$(preset)
-	@$(if $(filter asan,$@),$(ctest) --test-dir build/$(preset) -L unit)
-	@$(if $(filter coverage,$@),$(ctest) --test-dir build/$(preset) -L unit --quiet)
-	@$(if $(filter coverage,$@),sh tests/coverage.sh build/coverage)
+coverage: | build
+	$(call build_preset,coverage)
+	@$(compile) build/coverage --target unit-tests
+	@find build/coverage -name '*.gcda' -delete
+	@$(ctest) --test-dir build/coverage -L unit >build/coverage.log || { cat build/coverage.log; exit 1; }
+	@sh tests/coverage.sh build/coverage
 
 ## bench: how long the solvers take
 bench: build/thermoroll
