@@ -46,7 +46,7 @@ double N1(double zeta) {
 double N2(double zeta) {
   const double x = std::abs(zeta);
   if (x < 1) {
-    const double bracket = gsl_sf_bessel_K0(x) + std::copysign(K1_regular(x), zeta);
+    const double bracket = gsl_sf_bessel_K0(x) + std::copysign(1, zeta) * K1_regular(x);
     return std::exp(-zeta) * bracket + std::expm1(-zeta) / zeta;
   }
   if (zeta > 0) {
