@@ -207,4 +207,26 @@ END
   "$work/user/build/user"
 }
 
+# The extracts in the chapter on the build stand in the Makefile, line by line.
+ChapterQuotesTheFiles() {
+  awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/C-build.md >"$work/quoted"
+  [ -s "$work/quoted" ] || fail "the chapter quotes nothing"
+  local line
+  while IFS= read -r line; do
+    grep -qxF -- "$line" Makefile || fail "not in the Makefile: $line"
+  done <"$work/quoted"
+}
+
+# Every package of the Makefile has its reason in the chapter and in the README, and no other has.
+PackagesAreExplained() {
+  sed -n 's/^[a-z_]*packages[a-z_]* := //p' Makefile | tr ' ' '\n' | grep '^[a-z]' | sort -u >"$work/listed"
+  [ -s "$work/listed" ] || fail "no packages found in the Makefile"
+  local text
+  for text in paper/C-build.md README.md; do
+    awk '/\| *package *\|| Debian package \|/ { inside = 1; next } !/^\|/ { inside = 0 } inside' $text |
+      cut -d'|' -f2 | grep -o '`[^`]*`' | tr -d '`' | sort | diff "$work/listed" - ||
+      fail "$text explains other packages than the Makefile lists"
+  done
+}
+
 "$1"
