@@ -1,0 +1,20 @@
+# Surface temperature T*(s) of rolling and of pure sliding with the same heat, at Pe = 1000.
+name = 'sliding'
+load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
+
+eval range(-1, 3, 0, 0.005)
+eval axes('s', 'T*')
+set xtics 1
+set ytics 0.001
+set label 'rolling, {/:Italic Q*} = 0.5' at 1.17, 0.0042
+set label "sliding,\nsame heat" at -0.13, 0.0034 right
+set label 'rolling, {/:Italic Q*} = 0.2' at 1.1, 0.0009
+set label 'sliding' at 0.07, 0.00072
+plot data using "s":(row("kind", "rolling", "traction", 0.5, column("T"))) \
+       with lines linetype 3 dashtype solid title 'Q* = 0.5, rolling' noenhanced, \
+     data using "s":(row("kind", "sliding", "traction", 0.5, column("T"))) \
+       with lines linetype 3 dashtype (5,4) title 'Q* = 0.5, sliding' noenhanced, \
+     data using "s":(row("kind", "rolling", "traction", 0.2, column("T"))) \
+       with lines linetype 1 dashtype solid title 'Q* = 0.2, rolling' noenhanced, \
+     data using "s":(row("kind", "sliding", "traction", 0.2, column("T"))) \
+       with lines linetype 1 dashtype (5,4) title 'Q* = 0.2, sliding' noenhanced

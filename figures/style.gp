@@ -1,0 +1,101 @@
+# The one style of all figures. A script sets `name` and loads this file first. `data` and `output`
+# then stand, unless the command line gave them:
+#   gnuplot figures/traction.gp
+#   gnuplot -e "data='my.csv'; output='my.svg'" figures/traction.gp
+
+if (!exists("data")) data = 'build/data/'.name.'.csv'
+if (!exists("output")) { output = 'build/figures/'.name.'.svg'; system 'mkdir -p build/figures' }
+
+# The name heads the SVG's title and ids, in which gnuplot allows no hyphen.
+id = ''
+do for [k = 1:strlen(name)] { id = id.(name[k:k] eq '-' ? '_' : name[k:k]) }
+set terminal svg size 560,380 enhanced font 'sans-serif,17' linewidth 2 rounded name id
+set output output
+set encoding utf8
+set minussign
+set datafile separator comma
+set datafile columnheaders
+set datafile missing NaN
+
+# Text, axes and points are black, which the report turns into the colour of its text, light or
+# dark. The curves take the four Okabe-Ito colours that stand out on white and on near-black
+# alike, each with its own dash, so that they differ in grey as well.
+blue = 0x0072B2; green = 0x009E73; vermilion = 0xD55E00; purple = 0xCC79A7
+set linetype 1 linecolor rgb blue      linewidth 1.25 dashtype solid
+set linetype 2 linecolor rgb green     linewidth 1.25 dashtype (12,4)
+set linetype 3 linecolor rgb vermilion linewidth 1.25 dashtype (12,4,1,4)
+set linetype 4 linecolor rgb purple    linewidth 1.25 dashtype (4,3)
+set linetype 5 linecolor rgb 'black' linewidth 0.5 pointtype 6 pointsize 0.45
+set linetype 6 linecolor rgb 'grey50' linewidth 0.5 dashtype (3,3)
+
+set border 3 linecolor rgb 'black' linewidth 0.4
+set tics nomirror out scale 0.5
+set xtics offset 0,0.4
+set ytics offset 0.6,0
+set lmargin at screen 0.125
+set rmargin at screen 0.97
+set tmargin at screen 0.905
+set bmargin at screen 0.14
+unset key
+
+# The symbols of the axes: the abscissa below the middle, the ordinate above its axis.
+axes(x, y) = sprintf("set xlabel '{/:Italic %s}' offset 0,0.9; " \
+  ."set label 100 '{/:Italic %s}' at graph 0, graph 1.075 right offset 0.8,0", x, y)
+
+# A plot's range, kept for thinning the points.
+range(x0, x1, y0, y1) = sprintf("x_min = %g; x_max = %g; y_min = %g; y_max = %g; " \
+  ."set xrange [x_min:x_max]; set yrange [y_min:y_max]", x0, x1, y0, y1)
+
+# The rows of one curve: `value` where the text column `kind` says `word` and the number column
+# `parameter` says `number`; elsewhere nothing.
+row(kind, word, parameter, number, value) = \
+  strcol(kind) eq word && column(parameter) == number ? value : NaN
+
+# The published scheme has more nodes than the eye can part: a point is drawn only when it is at
+# least 3.5 % of the plot away from every point drawn before, so that common arcs are not crowded.
+array drawn_x[1000]; array drawn_y[1000]; drawn = 0
+near(x, y, k) = ((x - drawn_x[k])/(x_max - x_min))**2 + ((y - drawn_y[k])/(y_max - y_min))**2 < 0.035**2
+apart(x, y) = drawn == 0 || (sum [k = 1:drawn] near(x, y, k)) == 0
+thinned(x, y) = y == y && apart(x, y) ? (drawn = drawn + 1, drawn_x[drawn] = x, drawn_y[drawn] = y) : NaN
+
+# The key says only what a line and what a point is; the curves carry their own labels.
+# (x, y) is its upper left corner in the plot's own unit square.
+key(x, y) = sprintf("set arrow from graph %g, graph %g rto graph 0.05, 0 nohead linewidth 1.25; " \
+  ."set label 'converged' at graph %g, graph %g; " \
+  ."set label 'published scheme, {/:Italic n} = 200' at graph %g, graph %g", \
+  x, y, x + 0.07, y, x + 0.07, y - 0.075) \
+  .sprintf("; set label '' at graph %g, graph %g point linetype 5", x + 0.025, y - 0.075)
+
+# Labels in the right margin, each on a short leader from its curve's end (at x_max, `height`),
+# lifted where they would touch the label below: write_label must be called from the lowest up.
+set_margin_labels = "set rmargin at screen 0.815; below = -1e9"
+gap = 0.062
+lifted(height) = below = height > below + gap*(y_max - y_min) ? height : below + gap*(y_max - y_min)
+margin_label(i, text, height) = sprintf( \
+  "set arrow from x_max, %.6g to graph 1.035, first %.6g nohead linetype %d; " \
+  ."set label '%s' at graph 1.045, first %.6g", height, lifted(height), i, text, below)
+
+# The figures of the surface temperature T*(s), all five alike: one curve for each of four `values`
+# of a `parameter` (the data's column, written `symbol` in the picture); `order` has the indices of
+# the values from the lowest curve up. A script that sets these first has its figure drawn here.
+if (exists("parameter")) {
+  eval range(-1, 3, 0, T_max)
+  eval axes('s', 'T*')
+  eval key(0.53, 0.95)
+  eval set_margin_labels
+  set xtics 1
+  set ytics T_step
+  number(i) = word(values, i) + 0
+  do for [k = 1:4] {
+    i = int(word(order, k))
+    stats data using (column("s") == x_max ? row("method", "converged", parameter, number(i), \
+      column("T")) : NaN) nooutput
+    eval margin_label(i, (k < 4 ? '' : '{/:Italic '.symbol.'} = ').word(values, i), STATS_max)
+  }
+  plot for [i = 1:4] data \
+         using "s":(row("method", "converged", parameter, number(i), column("T"))) \
+         with lines linetype i title symbol.' = '.word(values, i).', converged' noenhanced, \
+       for [i = 1:4] data \
+         using "s":(thinned(column("s"), row("method", "printed", parameter, number(i), column("T")))) \
+         with points linetype 5 title symbol.' = '.word(values, i).', published scheme' noenhanced
+}
