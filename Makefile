@@ -82,8 +82,7 @@ endif
 
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*.cpp src/*.hpp)
-shared_scripts := figures/style.gp figures/temperature.gp
-figures := $(patsubst figures/%.gp,%,$(filter-out $(shared_scripts),$(wildcard figures/*.gp)))
+figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
@@ -163,7 +162,7 @@ build/data/claims.txt: build/thermoroll | build/data
 	@build/thermoroll claims --format text >$@.tmp
 	@mv $@.tmp $@
 
-build/figures/%.svg: figures/%.gp $(shared_scripts) build/data/%.csv | build/figures
+build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figures
 	$(call step,drawing $@)
 	@gnuplot -e "data='build/data/$*.csv'; output='$@.tmp'" figures/$*.gp
 	@mv $@.tmp $@

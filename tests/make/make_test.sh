@@ -219,7 +219,7 @@ ChapterQuotesTheFiles() {
 
 # Every package of the Makefile has its reason in the chapter and in the README, and no other has.
 PackagesAreExplained() {
-  sed -n 's/^[a-z_]*packages[a-z_]* := //p' Makefile | tr ' ' '\n' | grep '^[a-z]' | sort -u >"$work/listed"
+  sed -n 's/^[a-z]*_\?packages[a-z_]* := //p' Makefile | tr ' ' '\n' | grep -x '[a-z0-9+-]*' | sort -u >"$work/listed"
   [ -s "$work/listed" ] || fail "no packages found in the Makefile"
   local text
   for text in paper/C-build.md README.md; do
