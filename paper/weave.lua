@@ -1,0 +1,770 @@
+-- The weaver: turns the chapters into one HTML page, a Pandoc filter. Run in the project's folder:
+--
+--   pandoc paper/*.md -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings
+--     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
+--     --template paper/template.html -M revision=REVISION -o build/report.html
+--
+-- (all on one line; `-M revision=` may be left out). It reads, besides the chapters, build/data/*.csv,
+-- build/data/values.json, build/figures/*.svg, figures/*.gp and paper/style.css, and puts all of it
+-- into the page, which then needs no other file. What the chapters may write:
+--
+--   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
+--   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
+--   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
+--   : Caption {#tbl:x}                                below a table
+--   ::: {#tbl:x csv="x.csv" header="A|B"}             a table from build/data/x.csv; a paragraph in it
+--                                                     is the caption; `header` replaces the file's own
+--   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
+--   `key`{.value}, \value{key} in formulas            a computed number, from build/data/values.json
+--   *Checked by* `Suite.Name`, ...                    the tests of what stands above
+--
+-- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
+-- culprit, and nothing is written. The passes stand in the order in which they run.
+
+local utils = pandoc.utils
+local here = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
+dofile(here .. "tangle.lua") -- gives tangle.parse
+
+-- 0. Files, messages, HTML --------------------------------------------------------------------------
+
+local chapters = {} -- { name, text }, in order
+local mistakes = {}
+
+local function read(path)
+  local file = io.open(path, "rb")
+  if not file then return nil end
+  local text = file:read("a")
+  file:close()
+  return text
+end
+
+--- "chapter:line: " of the first place where `culprit` is written out, or "".
+local function place(culprit)
+  for _, chapter in ipairs(chapters) do
+    local number = 0
+    for line in (chapter.text .. "\n"):gmatch("(.-)\n") do
+      number = number + 1
+      local _, last = line:find(culprit, 1, true)
+      if last and not line:sub(last + 1, last + 1):match("[%w_]") then
+        return chapter.name .. ":" .. number .. ": "
+      end
+    end
+  end
+  return ""
+end
+
+local function complain(culprit, message, ...)
+  table.insert(mistakes, place(culprit) .. string.format(message, ...))
+end
+
+local function stop_on_mistakes()
+  if #mistakes == 0 then return end
+  io.stderr:write(table.concat(mistakes, "\n"), "\n")
+  os.exit(1)
+end
+
+local function raw(html) return pandoc.RawBlock("html", html) end
+
+local function escape(text)
+  return (text:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }))
+end
+
+local function inlines_of(markdown)
+  local blocks = pandoc.read(markdown, "markdown").blocks
+  return blocks[1] and blocks[1].content or pandoc.List()
+end
+
+--- The characters of a data: URI; commas, digits and points stand for themselves.
+local function uri_encoded(text)
+  return (text:gsub("[^%w%-%._~,;:/]", function(c) return string.format("%%%02X", c:byte()) end))
+end
+
+-- 1. Labels: what can be referred to, and what it is called -----------------------------------------
+
+local labels = {} -- id -> { kind, number, title }
+local nouns = {
+  eq = { "Eq.", "Eqs." }, fig = { "Figure", "Figures" }, tbl = { "Table", "Tables" },
+  sec = { "Section", "Sections" }, appendix = { "Appendix", "Appendices" },
+}
+
+local function define(id, kind, number, title)
+  if labels[id] then complain("#" .. id, "duplicate id %s", id) end
+  labels[id] = { kind = kind, number = number, title = title }
+end
+
+local counts = {}
+local function next_number(kind)
+  counts[kind] = (counts[kind] or 0) + 1
+  return tostring(counts[kind])
+end
+
+-- 2. Formulas: MathML as browsers draw it -----------------------------------------------------------
+
+--- Brackets round something flat do not stretch: browsers set a bracket that could stretch too wide.
+local function settle_brackets(html)
+  local opened, flat = {}, {}
+  local stretchy = '<mo stretchy="()true()" form="(%l+)">'
+  for from, to, form in html:gmatch(stretchy) do
+    if form == "prefix" then
+      table.insert(opened, { from = from, to = to })
+    elseif #opened > 0 then
+      local left = table.remove(opened)
+      local inside = html:sub(left.to, from)
+      local tall = false
+      for _, mark in ipairs({ "<mfrac", "<munder", "<msqrt", "<mtable", "∑", "∫" }) do
+        tall = tall or inside:find(mark, 1, true)
+      end
+      flat[left.from], flat[from] = not tall, not tall
+    end
+  end
+  return (html:gsub(stretchy, function(from, _, form)
+    return string.format('<mo stretchy="%s" form="%s">', flat[from] and "false" or "true", form)
+  end))
+end
+
+--- Pandoc's MathML with what browsers know of it: upright words, the space round a function's name,
+--- sized brackets, accents, aligned columns.
+local function formula_html(math)
+  math.text = math.text:gsub("\\Bigl%f[%A]", "\\Big") -- which alone of its kind is unknown
+  local html = pandoc.write(pandoc.Pandoc({ pandoc.Plain({ math }) }), "html5",
+                            { html_math_method = "mathml", wrap_text = "none" })
+  if not html:match("^<math") then
+    complain(math.text, "this formula cannot be written as MathML: %s", math.text)
+  end
+  html = html:gsub('<mstyle mathvariant="normal">(.-)</mstyle>', function(inside)
+      local word = inside:gsub("</mi><mi>", "")
+      return word:gsub("^<mi>([^<]*)</mi>$", '<mi mathvariant="normal">%1</mi>')
+    end)
+    :gsub('<mo>(%a%a+)</mo>(<?m?r?o?w?>?<?m?o?)', function(name, follows)
+      return string.format('<mo lspace="0.167em" rspace="%sem">%s</mo>%s',
+                           follows == "<mrow><mo" and "0" or "0.167", name, follows)
+    end)
+    :gsub('minsize="([%d.]+)" maxsize="[%d.]+" stretchy="false"', 'minsize="%1em" maxsize="%1em" stretchy="true"')
+    :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
+    :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
+
+  return settle_brackets(html)
+end
+
+local function formula(math) return pandoc.RawInline("html", formula_html(math)) end
+
+local function html_of(inlines)
+  local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk({ Math = formula })) })
+  return (pandoc.write(document, "html5", { wrap_text = "none" }))
+end
+
+-- 2. Sections: numbered headings; chapters are letters after the first appendix ---------------------
+
+local section = { 0, 0, 0 }
+local appendices = false
+
+local function number_heading(heading)
+  local level = heading.level
+  heading.level = level + 1 -- the page's title has the first level
+  if heading.classes:includes("unnumbered") or level > #section then return heading end
+  section[level] = section[level] + 1
+  for k = level + 1, #section do section[k] = 0 end
+  if level == 1 and heading.classes:includes("appendix") and not appendices then
+    appendices, section[1] = true, 1
+  end
+  local parts = table.move(section, 1, level, 1, {})
+  if appendices then parts[1] = string.char(("A"):byte() + parts[1] - 1) end
+  local number = table.concat(parts, ".")
+  if heading.identifier:match("^sec:") then
+    define(heading.identifier, appendices and "appendix" or "sec", number)
+  end
+  heading.content:insert(1, pandoc.Span(number, pandoc.Attr("", { "section-number" })))
+  heading.content:insert(2, pandoc.Space())
+  return heading
+end
+
+-- 3. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
+
+--- From the inlines behind a formula takes `{#eq:id paper=..}`: id, the paper's number, the rest.
+local function take_label(inlines)
+  local text = ""
+  for k, inline in ipairs(inlines) do
+    if inline.t == "Math" or k > 12 then break end
+    text = text .. utils.stringify(inline)
+    local id, options, rest = text:match("^%s*{#(eq:[%w:_.-]+)%s*(.-)}(.*)$")
+    if id then
+      local remaining = pandoc.List(table.move(inlines, k + 1, #inlines, 1, {}))
+      if rest ~= "" then remaining:insert(1, pandoc.Str(rest)) end
+      return id, options:gsub("[“”\"]", ""):match("^paper=(.+)$"), remaining
+    end
+  end
+  return nil, nil, inlines
+end
+
+local function equation(math, id, paper)
+  local parts = { raw('<div class="formula">'), pandoc.Plain({ math }), raw("</div>") }
+  if id then
+    local number = next_number("eq")
+    define(id, "eq", "(" .. number .. ")")
+    local theirs = paper and string.format(
+      '<span class="paper-number" title="Equation (%s) of the paper">[%s]</span>', paper, paper) or ""
+    table.insert(parts, raw(string.format('<div class="number">(%s) %s</div>', number, theirs)))
+  end
+  return pandoc.Div(parts, pandoc.Attr(id or "", { "equation" }))
+end
+
+local spaces = { Space = true, SoftBreak = true, LineBreak = true }
+local function trimmed(inlines)
+  while #inlines > 0 and spaces[inlines[1].t] do inlines:remove(1) end
+  while #inlines > 0 and spaces[inlines[#inlines].t] do inlines:remove() end
+  return inlines
+end
+
+local function cut_at_formulas(paragraph)
+  local is_display = function(inline) return inline.t == "Math" and inline.mathtype == "DisplayMath" end
+  if not paragraph.content:find_if(is_display) then return nil end
+  local blocks, text, rest = pandoc.List(), pandoc.List(), paragraph.content
+  local function flush()
+    if #trimmed(text) > 0 then blocks:insert(pandoc.Para(text)) end
+    text = pandoc.List()
+  end
+  while #rest > 0 do
+    local inline = rest:remove(1)
+    if is_display(inline) then
+      flush()
+      local id, paper
+      id, paper, rest = take_label(rest)
+      blocks:insert(equation(inline, id, paper))
+    else
+      text:insert(inline)
+    end
+  end
+  flush()
+  return blocks
+end
+
+-- 4. Figures: the drawing itself, with colours that follow the page ---------------------------------
+
+local style = read(here .. "style.css") or ""
+local drawn = {} -- { name, number } of every figure, in order
+
+--- A figure's SVG as part of the page: ids of its own, the page's colours, a text for those who do
+--- not see it. A colour #rrggbb becomes the variable --ink-rrggbb where the style sheet has one.
+local function inline_svg(svg, name, alternative)
+  local function colour(hex)
+    hex = hex:lower()
+    if hex == "000000" then return "currentColor" end
+    if hex == "ffffff" then return "var(--paper)" end
+    if style:find("--ink-" .. hex, 1, true) then return "var(--ink-" .. hex .. ")" end
+    return "#" .. hex
+  end
+  svg = svg:gsub("^.-(<svg)", "%1"):gsub("<title>[^<]*</title>%s*<desc>[^<]*</desc>", "", 1)
+    :gsub("<rect[^>]*fill=[\"']#[fF]+[\"']%s*/>", "", 1)
+    :gsub("rgb%(%s*(%d+),%s*(%d+),%s*(%d+)%s*%)", function(r, g, b)
+      return string.format("#%02x%02x%02x", tonumber(r), tonumber(g), tonumber(b))
+    end)
+    :gsub("([\"'])black([\"'])", "%1#000000%2"):gsub("([\"'])white([\"'])", "%1#ffffff%2")
+    :gsub("([\"'])#(%x%x%x%x%x%x)([\"'])", function(a, hex, b) return a .. colour(hex) .. b end)
+    :gsub("(%sid=[\"'])", "%1" .. name .. "-"):gsub("(url%(#)", "%1" .. name .. "-")
+    :gsub("(href=[\"']#)", "%1" .. name .. "-")
+  local box = svg:match("viewBox=\"[^\"]*\"") or ""
+  return (svg:gsub("^<svg.->", function()
+    return string.format('<svg xmlns="http://www.w3.org/2000/svg" '
+      .. 'xmlns:xlink="http://www.w3.org/1999/xlink" %s role="img" aria-label="%s">',
+      box, escape(alternative))
+  end))
+end
+
+local function figure(image)
+  local id, name = image.identifier, image.src:match("^figures/([%w_-]+)%.svg$")
+  local alternative = image.attributes["fig-alt"] or ""
+  if not id:match("^fig:") or not name then
+    complain(image.src, "figure %s is not written as ![...](figures/name.svg){#fig:id}", image.src)
+    return nil
+  end
+  local number = next_number("fig")
+  define(id, "fig", number)
+  if alternative == "" then complain("#" .. id, "figure %s has no fig-alt text", id) end
+  local function part(path)
+    local text = read(path)
+    if not text then complain("#" .. id, "figure %s needs %s, which is missing", id, path) end
+    return text or ""
+  end
+  part("figures/" .. name .. ".gp")
+  local svg, data = part("build/figures/" .. name .. ".svg"), part("build/data/" .. name .. ".csv")
+  table.insert(drawn, { name = name, number = number, id = id,
+                        drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
+  local sources = string.format(' <span class="sources"><a href="#script:%s">script</a> '
+    .. '<a href="data:text/csv;charset=utf-8,%s" download="%s.csv">data</a></span>',
+    name, uri_encoded(data), name)
+  local caption = pandoc.List({ pandoc.Strong("Figure " .. number .. "."), pandoc.Space() })
+  caption:extend(image.caption)
+  caption:insert(pandoc.RawInline("html", sources))
+  return { raw('<figure id="' .. id .. '">\n<div class="drawing">'),
+           raw(inline_svg(svg, name, alternative)), raw("</div>\n<figcaption>"),
+           pandoc.Plain(caption), raw("</figcaption>\n</figure>") }
+end
+
+local function figure_paragraph(paragraph)
+  local image = paragraph.content[1]
+  if #paragraph.content == 1 and image.t == "Image" then return figure(image) end
+end
+
+-- 5. Tables: numbered captions, tables from CSV -----------------------------------------------------
+
+local function framed_table(content, id, caption)
+  content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
+  local blocks = { raw('<figure class="table"' .. (id and ' id="' .. id .. '"' or "") .. ">") }
+  if id then
+    local number = next_number("tbl")
+    define(id, "tbl", number)
+    local text = pandoc.List({ pandoc.Strong("Table " .. number .. "."), pandoc.Space() })
+    text:extend(caption)
+    for _, block in ipairs({ raw("<figcaption>"), pandoc.Plain(text), raw("</figcaption>") }) do
+      table.insert(blocks, block)
+    end
+  end
+  for _, block in ipairs({ raw('<div class="scroll">'), content, raw("</div>\n</figure>") }) do
+    table.insert(blocks, block)
+  end
+  return blocks
+end
+
+--- A table of the chapter; `{#tbl:id}` ends its caption.
+local function written_table(content)
+  local caption = utils.blocks_to_inlines(content.caption.long)
+  local id = #caption > 0 and caption[#caption].t == "Str"
+    and caption[#caption].text:match("^{#(tbl:[%w:_.-]+)}$") or nil
+  if id then caption:remove() end
+  content.caption = { long = {} }
+  return framed_table(content, id, trimmed(caption))
+end
+
+local function csv_rows(text)
+  local rows = {}
+  for line in text:gmatch("([^\r\n]+)") do
+    local row, at = {}, 1
+    repeat
+      local quoted, next_at = line:match('^"(.-)"%f[,\0]()', at)
+      while quoted and select(2, quoted:gsub('"', "")) % 2 == 1 do -- a doubled quote, then a comma
+        local more, further = line:match('^(.-)"%f[,\0]()', next_at)
+        quoted, next_at = quoted .. '"' .. more, further
+      end
+      local cell = quoted and quoted:gsub('""', '"')
+      if not quoted then cell, next_at = line:match("^([^,]*)()", at) end
+      table.insert(row, cell)
+      at = next_at + 1
+    until at > #line + 1
+    table.insert(rows, row)
+  end
+  return rows
+end
+
+local function generated_table(div)
+  if not div.attributes.csv then return nil end
+  local id, path = div.identifier, "build/data/" .. div.attributes.csv
+  local text = read(path)
+  if not text then
+    complain("#" .. id, "table %s needs %s, which is missing", id, path)
+    return {}
+  end
+  local rows = csv_rows(text)
+  local head, aligns = table.remove(rows, 1), {}
+  if div.attributes.header then
+    local given = {}
+    for name in (div.attributes.header .. "|"):gmatch("%s*(.-)%s*|") do table.insert(given, name) end
+    if #given ~= #head then
+      complain("#" .. id, "table %s: %d headings for %d columns of %s", id, #given, #head, path)
+    end
+    head = given
+  end
+  for column = 1, #head do
+    local numeric = true
+    for _, row in ipairs(rows) do numeric = numeric and tonumber(row[column]) ~= nil end
+    aligns[column] = numeric and "AlignRight" or "AlignLeft"
+  end
+  local function cells(row)
+    return pandoc.List(row):map(function(cell)
+      if tonumber(cell) then return { pandoc.Plain({ pandoc.Str((cell:gsub("^-", "−"))) }) } end
+      return { pandoc.Plain(inlines_of(cell)) }
+    end)
+  end
+  local simple = pandoc.SimpleTable({}, aligns, pandoc.List(head):map(function() return 0 end),
+                                    cells(head), pandoc.List(rows):map(cells))
+  local caption = utils.blocks_to_inlines(div.content)
+  return framed_table(utils.from_simple_table(simple), id, caption)
+end
+
+-- 6. Chunks: the program's parts, where each is told ------------------------------------------------
+
+local pieces = {} -- what the tangler sees, in order
+local chunks = {} -- name -> { name, number, title, file, pieces, users }
+local reference = "^(%s*)<<([%w][%w_:/.%-]*)>>%s*$"
+
+local function collect_chunks()
+  for _, chapter in ipairs(chapters) do
+    for _, piece in ipairs(tangle.parse(chapter.name, chapter.text)) do
+      local chunk = chunks[piece.id]
+      if not chunk then
+        chunk = { name = piece.id, number = next_number("lst"), pieces = {}, users = {} }
+        chunks[piece.id] = chunk
+        define("lst:" .. piece.id, "lst", chunk.number)
+      end
+      table.insert(chunk.pieces, piece)
+      table.insert(pieces, piece)
+      piece.part = #chunk.pieces
+      chunk.title = chunk.title or piece.title
+      chunk.file = chunk.file or piece.file
+    end
+  end
+  for _, piece in ipairs(pieces) do
+    for _, line in ipairs(piece.code) do
+      local _, name = line:match(reference)
+      if name and not chunks[name] then
+        complain("<<" .. name .. ">>", "missing chunk <<%s>>", name)
+      elseif name then
+        table.insert(chunks[name].users, piece)
+      end
+    end
+  end
+  stop_on_mistakes()
+  for _, chunk in pairs(chunks) do
+    chunk.html = chunk.title and html_of(inlines_of(chunk.title)) or escape(chunk.name)
+    labels["lst:" .. chunk.name].title = chunk.html
+  end
+end
+
+local function anchor(piece)
+  return "lst:" .. piece.id .. (piece.part > 1 and ":" .. piece.part or "")
+end
+
+--- ⟨Title 12⟩, the mark of a chunk wherever it is spoken of.
+local function mark(chunk)
+  return string.format('⟨%s <span class="chunk-number">%s</span>⟩', chunk.html, chunk.number)
+end
+
+local function link(href, html) return string.format('<a href="#%s">%s</a>', href, html) end
+
+local function referred(id)
+  local label = labels[id]
+  if not label then
+    complain("@" .. id, "unknown reference @%s", id)
+    return escape("@" .. id)
+  end
+  return link(id, nouns[label.kind][1] .. " " .. label.number)
+end
+
+--- The lines of a code as HTML; `@eq:id` in them becomes a link.
+local function highlighted(lines, language)
+  local text = table.concat(lines, "\n")
+    :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
+  local block = pandoc.CodeBlock(text, pandoc.Attr("", language and { language } or {}))
+  local html = pandoc.write(pandoc.Pandoc({ block }), "html5"):match("<code[^>]*>(.*)</code>")
+  local out = {}
+  for line in (html .. "\n"):gmatch("(.-)\n") do
+    local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
+    table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
+      return nouns[id:match("^%l+")] and referred(id) or "@" .. id
+    end)))
+  end
+  return out
+end
+
+local chunk_code
+
+--- A piece's code: runs of lines, and between them references that open to the chunk's own code.
+local function piece_code(piece)
+  if piece.html then return piece.html end
+  local out, run = {}, {}
+  local function flush()
+    if #run > 0 then table.insert(out, "<pre><code>" .. table.concat(run, "\n") .. "\n</code></pre>") end
+    run = {}
+  end
+  local html = highlighted(piece.code, piece.lang)
+  for k, line in ipairs(piece.code) do
+    local space, name = line:match(reference)
+    if name then
+      flush()
+      local chunk = chunks[name]
+      table.insert(out, string.format(
+        '<details class="expand" style="--indent:%d"><summary>%s</summary>\n%s</details>',
+        #space, link(anchor(chunk.pieces[1]), mark(chunk)), chunk_code(chunk)))
+    else
+      table.insert(run, html[k])
+    end
+  end
+  flush()
+  piece.html = table.concat(out, "\n")
+  return piece.html
+end
+
+function chunk_code(chunk)
+  local parts = {}
+  for _, piece in ipairs(chunk.pieces) do table.insert(parts, piece_code(piece)) end
+  return table.concat(parts, "\n")
+end
+
+local function joined(pieces_using)
+  local seen, out = {}, {}
+  for _, piece in ipairs(pieces_using) do
+    if not seen[piece.id] then table.insert(out, link(anchor(piece), mark(chunks[piece.id]))) end
+    seen[piece.id] = true
+  end
+  return table.concat(out, ", ")
+end
+
+local function where(piece) return string.format("<span>%s:%d</span>", piece.source, piece.line) end
+
+local function chunk_box(piece)
+  local chunk, notes, parts = chunks[piece.id], {}, ""
+  if piece.file then
+    table.insert(notes, "file " .. link("file:" .. piece.file, "<code>" .. piece.file .. "</code>"))
+  end
+  if #chunk.users > 0 then table.insert(notes, "used in " .. joined(chunk.users)) end
+  table.insert(notes, "defined at " .. where(piece))
+  if #chunk.pieces > 1 then
+    local function step(other, sign, label)
+      return other and string.format(' <a href="#%s" aria-label="%s">%s</a>', anchor(other), label, sign) or ""
+    end
+    parts = string.format('<span class="part">part %d of %d%s%s</span>', piece.part, #chunk.pieces,
+      step(chunk.pieces[piece.part - 1], "↑", "previous part"),
+      step(chunk.pieces[piece.part + 1], "↓", "next part"))
+  end
+  return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
+    .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
+    .. '<div class="chunk-notes">%s</div>\n</div>', anchor(piece), mark(chunk), parts,
+    piece_code(piece), table.concat(notes, " · ")))
+end
+
+local next_piece = 1
+local function code_block(block)
+  local piece = pieces[next_piece]
+  if block.identifier ~= "" or block.attributes.file then
+    next_piece = next_piece + 1
+    local name = block.identifier ~= "" and block.identifier or block.attributes.file
+    if not piece or piece.id ~= name then
+      complain("#" .. name, "chunk %s: the tangler and Pandoc do not see the same fences", name)
+      return nil
+    end
+    return chunk_box(piece)
+  end
+  local lines = {}
+  for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
+  local html = table.concat(highlighted(lines, block.classes[1]), "\n")
+  return raw('<div class="code listing"><pre><code>' .. html .. "</code></pre></div>")
+end
+
+-- 7. Values: the computed numbers -------------------------------------------------------------------
+
+local values
+
+local function read_values()
+  local path, found = "build/data/values.json", {}
+  local text = read(path)
+  if not text then
+    table.insert(mistakes, path .. " is missing")
+    return found
+  end
+  local rest = text:gsub('"([^"\\]*)"%s*:%s*"(.-[^\\])"', function(key, value)
+    found[key] = value:gsub('\\(["\\/])', "%1")
+    return ""
+  end)
+  if not rest:match("^%s*{[%s,]*}%s*$") then
+    table.insert(mistakes, path .. ": not one flat object of strings")
+  end
+  return found
+end
+
+local function value(key, written)
+  values = values or read_values()
+  if not values[key] then complain(written, "unknown value %s", key) end
+  return values[key] or "?"
+end
+
+local function value_in_text(code)
+  if not code.classes:includes("value") then return nil end
+  local text = value(code.text, "`" .. code.text .. "`{.value}")
+  if text:find("[\\^]") then return pandoc.Math("InlineMath", text) end
+  return pandoc.Span((text:gsub("^-", "−")), pandoc.Attr("", { "value" }))
+end
+
+local function value_in_formula(math)
+  math.text = math.text:gsub("\\value{([^}]*)}", function(key)
+    return "{" .. value(key, "\\value{" .. key .. "}") .. "}"
+  end)
+  return math
+end
+
+-- 8. References -------------------------------------------------------------------------------------
+
+local function reference_kind(id) return id:match("^(%l+):") end
+
+local function resolve(cite)
+  local ours = cite.citations:filter(function(c) return nouns[reference_kind(c.id)] or c.id:match("^lst:") end)
+  if #ours == 0 then return nil end
+  local known, kind = pandoc.List(), nil
+  local alike = true
+  for _, citation in ipairs(cite.citations) do
+    local label = labels[citation.id]
+    if label then
+      known:insert({ id = citation.id, label = label })
+      kind, alike = kind or label.kind, alike and label.kind == (kind or label.kind)
+    else
+      complain("@" .. citation.id, "unknown reference @%s", citation.id)
+    end
+  end
+  local out = pandoc.List()
+  out:extend(ours[1].prefix)
+  if #ours[1].prefix > 0 then out:insert(pandoc.Space()) end
+  if alike and #known > 1 and nouns[kind] then out:insert(pandoc.Str(nouns[kind][2] .. " ")) end
+  for k, item in ipairs(known) do
+    if k > 1 then out:insert(pandoc.Str(k == #known and " and " or ", ")) end
+    local text = item.label.number
+    if item.label.kind == "lst" then
+      out:insert(pandoc.RawInline("html", link(item.id, mark(chunks[item.id:sub(5)]))))
+    else
+      if not alike or #known == 1 then text = nouns[item.label.kind][1] .. " " .. text end
+      out:insert(pandoc.Link(text, "#" .. item.id))
+    end
+  end
+  out:extend(ours[#ours].suffix)
+  return out
+end
+
+-- 9. The tests' names, quietly ----------------------------------------------------------------------
+
+local function checked_by(paragraph)
+  local first = paragraph.content[1]
+  if first and first.t == "Emph" and utils.stringify(first) == "Checked by" then
+    return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" }))
+  end
+end
+
+-- 10. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
+
+local function heading(title, id)
+  return pandoc.Header(2, title, pandoc.Attr(id, { "unnumbered" }))
+end
+
+local function sorted(map, key)
+  local out = {}
+  for _, item in pairs(map) do table.insert(out, item) end
+  table.sort(out, function(a, b) return key(a) < key(b) end)
+  return out
+end
+
+local function place_bibliography(blocks)
+  local at = #blocks + 1
+  for k, block in ipairs(blocks) do
+    if block.t == "Div" and block.identifier == "refs" then return end
+    if block.t == "Header" and block.classes:includes("appendix") then at = math.min(at, k) end
+  end
+  blocks:insert(at, heading("References", "references"))
+  blocks:insert(at + 1, pandoc.Div({}, pandoc.Attr("refs")))
+end
+
+local function chunk_index()
+  local function title(chunk) return (chunk.title or chunk.name):lower() .. "\0" .. chunk.name end
+  local out = { '<ul class="index">' }
+  for _, chunk in ipairs(sorted(chunks, title)) do
+    local places = pandoc.List(chunk.pieces):map(function(piece) return link(anchor(piece), where(piece)) end)
+    table.insert(out, string.format("<li>%s<div><code>%s</code> · defined at %s%s%s</div></li>",
+      link(anchor(chunk.pieces[1]), mark(chunk)), escape(chunk.name), table.concat(places, ", "),
+      chunk.file and " · file " .. link("file:" .. chunk.file, "<code>" .. chunk.file .. "</code>") or "",
+      #chunk.users > 0 and " · used in " .. joined(chunk.users) or ""))
+  end
+  table.insert(out, "</ul>")
+  return raw(table.concat(out, "\n"))
+end
+
+--- The lines of a chunk with every reference replaced, and the chapters they come from.
+local function assemble(chunk, indent, lines, from)
+  for _, piece in ipairs(chunk.pieces) do
+    from[piece.source] = piece.source
+    for _, line in ipairs(piece.code) do
+      local space, name = line:match(reference)
+      if name then assemble(chunks[name], indent .. space, lines, from)
+      else table.insert(lines, line == "" and "" or indent .. line) end
+    end
+  end
+  return lines, from
+end
+
+local function listing(id, title, note, lines, language)
+  return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
+    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div></details>',
+    id, title, note, table.concat(highlighted(lines, language), "\n")))
+end
+
+local function file_index()
+  local out = pandoc.List()
+  for _, chunk in ipairs(sorted(chunks, function(c) return c.file or "" end)) do
+    if chunk.file then
+      local lines, from = assemble(chunk, "", {}, {})
+      local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
+        table.concat(sorted(from, function(source) return source end), ", "),
+        link(anchor(chunk.pieces[1]), "told at " .. mark(chunk)))
+      out:insert(listing("file:" .. chunk.file, chunk.file, note, lines, chunk.pieces[1].lang))
+    end
+  end
+  return out
+end
+
+local function script_listings()
+  local out = pandoc.List()
+  local function script(name, note)
+    local text = read("figures/" .. name .. ".gp")
+    if not text then return end
+    local lines = {}
+    for line in text:gmatch("(.-)\n") do table.insert(lines, line) end
+    out:insert(listing("script:" .. name, "figures/" .. name .. ".gp", note, lines, nil))
+  end
+  for _, item in ipairs(drawn) do script(item.name, link(item.id, "Figure " .. item.number)) end
+  script("style", "the style of all figures")
+  return out
+end
+
+local function colophon(meta)
+  local function count(map) return #sorted(map, tostring) end
+  local text = string.format("Woven by Pandoc %s from %d chapters, which hold %d chunks of the program",
+    tostring(PANDOC_VERSION), #chapters, count(chunks))
+  if drawn[1] and drawn[1].drawer then
+    text = text .. string.format("; %d figures drawn by %s", #drawn,
+      drawn[1].drawer:gsub("GNUPLOT", "Gnuplot"):gsub(" patchlevel ", "."))
+  end
+  text = text .. "."
+  if meta.revision then text = text .. " Revision " .. utils.stringify(meta.revision) .. "." end
+  return pandoc.Para({ pandoc.Str(text) })
+end
+
+local function add_back_matter(document)
+  local blocks = document.blocks
+  place_bibliography(blocks)
+  if #pieces > 0 then
+    blocks:extend({ heading("Index of chunks", "index-of-chunks"), chunk_index(),
+                    heading("Index of files", "index-of-files") })
+    blocks:extend(file_index())
+  end
+  if #drawn > 0 then
+    blocks:insert(heading("Scripts of the figures", "scripts"))
+    blocks:extend(script_listings())
+  end
+  blocks:insert(heading("Colophon", "colophon"))
+  blocks:insert(colophon(document.meta))
+end
+
+-- The whole -----------------------------------------------------------------------------------------
+
+function Pandoc(document)
+  for _, name in ipairs(PANDOC_STATE.input_files) do
+    table.insert(chapters, { name = name, text = read(name) or "" })
+  end
+  collect_chunks()
+  local blocks = document.blocks
+  blocks = blocks:walk({ Header = number_heading, Table = written_table, Div = generated_table })
+  blocks = blocks:walk({ Para = figure_paragraph })
+  blocks = blocks:walk({ Para = cut_at_formulas })
+  blocks = blocks:walk({ Para = checked_by, CodeBlock = code_block })
+  document.blocks = blocks
+  document = document:walk({ Code = value_in_text, Math = value_in_formula })
+  document = document:walk({ Cite = resolve, Math = formula })
+  add_back_matter(document)
+  stop_on_mistakes()
+  document.meta.style = raw(style)
+  return document
+end
