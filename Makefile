@@ -89,7 +89,7 @@ data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/val
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built $(data_files) build/data/claims.txt $(figure_files) \
+steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) $(figure_files) \
   build/report.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -115,7 +115,7 @@ all: build/thermoroll
 setup:
 
 ## reproduce: everything: program, data, figures, report, and the table of claims
-reproduce: build/report.html build/data/claims.txt
+reproduce: build/data/claims.txt build/report.html
 	@cat build/data/claims.txt
 	@echo "The report is build/report.html"
 
@@ -191,7 +191,7 @@ build/built: | build/release/with-bench
 endif
 
 ## test: every test, through CTest
-test: build/report.html build/data/claims.txt
+test: build/data/claims.txt build/report.html
 	@echo "Building the tests"
 	@$(compile) build/release
 	@$(ctest) --test-dir build/release

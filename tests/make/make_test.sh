@@ -31,7 +31,13 @@ steps() { sed -n 's|^\[ *[0-9]*/[0-9]* *[0-9]* s\] ||p' "$1"; }
 expect_steps() {
   local log=$1
   shift
-  diff <(printf '%s\n' "$@" | sort) <(steps "$log" | sort) || fail "unexpected steps: $(cat "$log")"
+  diff <(printf '%s\n' "$@" | sort) <(steps "$log" | sort) || fail "not the steps expected: $(cat "$log")"
+}
+
+# The copy, with nothing left to do whatever case went before.
+in_copy() {
+  cd "$copy"
+  make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 }
 
 # A copy of the project, built from nothing; data and figures are taken over to save the time.
@@ -50,7 +56,7 @@ BuildsInFolderWithSpace() {
 }
 
 SecondRunDoesNothing() { # in the copy
-  cd "$copy"
+  in_copy
   touch "$work/before"
   make reproduce >"$work/log"
   [ -z "$(steps "$work/log")" ] || fail "a second run worked: $(cat "$work/log")"
@@ -59,7 +65,7 @@ SecondRunDoesNothing() { # in the copy
 }
 
 ProseEditRewritesTheReportOnly() { # in the copy
-  cd "$copy"
+  in_copy
   printf '\nOne sentence more.\n' >>paper/09-conclusions.md
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
@@ -72,7 +78,7 @@ ProseEditRewritesTheReportOnly() { # in the copy
 }
 
 FigureScriptEditRedrawsOneFigure() { # in the copy
-  cd "$copy"
+  in_copy
   echo '# a comment' >>figures/slip.gp
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html'
@@ -80,7 +86,7 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
 
 # gnuplot and pandoc that die half-way: what was there stays, and the next run mends it.
 InterruptedRunLeavesNothingHalfWritten() { # in the copy
-  cd "$copy"
+  in_copy
   local signal before
   fake gnuplot <<'END'
 for argument; do case $argument in *output=*) output=${argument##*output=\'}; output=${output%\'*};; esac; done
@@ -101,7 +107,7 @@ END
 
 # Figures drawn two at a time are the same figures.
 TwoJobsDrawTheSameFigures() { # in the copy
-  cd "$copy"
+  in_copy
   mv build/figures "$work/one-job"
   make -j2 reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   diff -r "$work/one-job" build/figures || fail "figures differ"
@@ -160,7 +166,7 @@ SetupIsQuietWhenAllIsThere() {
 }
 
 SetupComesFirst() { # in the copy
-  cd "$copy"
+  in_copy
   bare_debian
   fake apt-get <<<"echo install >>'$work/order'; sleep 0.3"
   fake gnuplot <<<"echo draw >>'$work/order'; exec $(command -v gnuplot) \"\$@\""
@@ -187,7 +193,7 @@ SetupWithoutDebian() {
 
 # What make install puts there can be found by CMake and used.
 InstalledPackage() { # in the copy
-  cd "$copy"
+  in_copy
   make install PREFIX="$work/prefix" >/dev/null
   "$work/prefix/bin/thermoroll" --version
   mkdir "$work/user"
@@ -219,7 +225,8 @@ ChapterQuotesTheFiles() {
 
 # Every package of the Makefile has its reason in the chapter and in the README, and no other has.
 PackagesAreExplained() {
-  sed -n 's/^[a-z]*_\?packages[a-z_]* := //p' Makefile | tr ' ' '\n' | grep -x '[a-z0-9+-]*' | sort -u >"$work/listed"
+  sed -n 's/^[a-z]*_\?packages[a-z_]* := //p' Makefile | tr ' ' '\n' |
+    grep -x '[a-z0-9+-]\+' | sort -u >"$work/listed"
   [ -s "$work/listed" ] || fail "no packages found in the Makefile"
   local text
   for text in paper/C-build.md README.md; do
