@@ -165,6 +165,15 @@ double printed_temperature(const PrintedSolution& x, double peclet, double s) {
   return sum / pi;
 }
 
+PrintedPeak printed_max_temperature(const PrintedSolution& x, double peclet) {
+  PrintedPeak peak{0, 0};
+  for (const double s : x.grid.s) {
+    const double value = printed_temperature(x, peclet, s);
+    if (value > peak.temperature) peak = {s, value};
+  }
+  return peak;
+}
+
 double printed_pressure(const PrintedSolution& x, double s) {
   if (std::abs(s) >= 1) return 0;
   return interpolate(x.grid, x.phi, s) * std::sqrt((1 - s) * (1 + s));

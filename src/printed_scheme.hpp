@@ -55,6 +55,13 @@ Eigen::VectorXd node_heat(const PrintedSolution& x);
 /// T*(s) by the paper's rule, @eq:printed-temperature; s must not be a hot node.
 double printed_temperature(const PrintedSolution& x, double peclet, double s);
 
+/// The largest temperature at the collocation points, and where.
+struct PrintedPeak {
+  double at;           ///< s
+  double temperature;  ///< T*
+};
+PrintedPeak printed_max_temperature(const PrintedSolution& x, double peclet);
+
 /// p*(s) and q*(s); zero outside [-1, 1]. Dimensionless (per P/a).
 double printed_pressure(const PrintedSolution& x, double s);
 double printed_traction(const PrintedSolution& x, double friction, double s);
