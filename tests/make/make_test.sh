@@ -84,20 +84,21 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
   expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html'
 }
 
-# gnuplot and pandoc that die half-way: what was there stays, and the next run mends it.
+# The whole run is stopped when half a figure is written: no half figure stays, and the next run
+# mends it.
 InterruptedRunLeavesNothingHalfWritten() { # in the copy
   in_copy
   local signal before
   fake gnuplot <<'END'
 for argument; do case $argument in *output=*) output=${argument##*output=\'}; output=${output%\'*};; esac; done
 echo '<svg' >"$output"
-kill -$SIGNAL $PPID
-exit 1
+kill -$SIGNAL 0
 END
   before=$(cksum <build/figures/slip.svg)
   for signal in TERM INT KILL; do
     touch figures/slip.gp
-    ! SIGNAL=$signal with_fakes make figures >"$work/log" 2>&1 || fail "$signal went unnoticed"
+    ! SIGNAL=$signal with_fakes setsid --wait make figures >"$work/log" 2>&1 ||
+      fail "$signal went unnoticed"
     [ ! -e build/figures/slip.svg ] || [ "$(cksum <build/figures/slip.svg)" = "$before" ] ||
       fail "$signal left half a figure"
     make figures >"$work/log" 2>&1 || fail "$(cat "$work/log")"
