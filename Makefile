@@ -242,7 +242,7 @@ pdf: build/report.pdf
 build/report.pdf: build/report.html
 	@profile=$$(mktemp -d); trap 'rm -rf "$$profile"' EXIT; \
 	$(browser) --user-data-dir="$$profile" --no-pdf-header-footer --print-to-pdf=$@.tmp \
-	  "file://$$PWD/build/report.html" 2>build/pdf.log || { cat build/pdf.log; exit 1; }
+	  build/report.html 2>build/pdf.log || { cat build/pdf.log; exit 1; }
 	@mv $@.tmp $@
 	@echo "The PDF is $@"
 
