@@ -1,0 +1,14 @@
+// Tangled from paper/B-data-files.md; edit there.
+#pragma once
+
+#include <string>
+
+namespace thermoroll {
+
+/// A number with so many decimals, as "0.0021".
+std::string fixed(double value, int decimals);
+
+/// A number with so many digits, in TeX, as "$2.1\cdot10^{-3}$".
+std::string scientific(double value, int digits);
+
+}  // namespace thermoroll
