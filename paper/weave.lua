@@ -28,7 +28,7 @@ dofile(here .. "tangle.lua") -- gives tangle.parse
 -- 0. Files, messages, HTML --------------------------------------------------------------------------
 
 local chapters = {} -- { name, text }, in order
-local mistakes = {}
+local mistakes = pandoc.List()
 
 local function read(path)
   local file = io.open(path, "rb")
@@ -54,7 +54,8 @@ local function place(culprit)
 end
 
 local function complain(culprit, message, ...)
-  table.insert(mistakes, place(culprit) .. string.format(message, ...))
+  local mistake = place(culprit) .. string.format(message, ...)
+  if not mistakes:includes(mistake) then mistakes:insert(mistake) end
 end
 
 local function stop_on_mistakes()
@@ -123,7 +124,7 @@ local function settle_brackets(html)
 end
 
 --- Pandoc's MathML with what browsers know of it: upright words, the space round a function's name,
---- sized brackets, accents, aligned columns.
+--- sized brackets, accents, aligned columns, the minus that is a sign.
 local function formula_html(math)
   math.text = math.text:gsub("\\Bigl%f[%A]", "\\Big") -- which alone of its kind is unknown
   local html = pandoc.write(pandoc.Pandoc({ pandoc.Plain({ math }) }), "html5",
@@ -139,21 +140,48 @@ local function formula_html(math)
       return string.format('<mo lspace="0.167em" rspace="%sem">%s</mo>%s',
                            follows == "<mrow><mo" and "0" or "0.167", name, follows)
     end)
+    :gsub('minsize="1.2" maxsize="1.2" stretchy="false"', 'mathsize="1.2em" stretchy="false"')
     :gsub('minsize="([%d.]+)" maxsize="[%d.]+" stretchy="false"', 'minsize="%1em" maxsize="%1em" stretchy="true"')
     :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
 
+  for _, sign in ipairs({ "−", "±", "∓" }) do -- a sign, where no term stands before it
+    html = html:gsub("(<mo([^>]*)>[^<]*</mo>)<mo>" .. sign .. "</mo>", function(before, attributes)
+        if not attributes:find("postfix") then return before .. '<mo form="prefix">' .. sign .. "</mo>" end
+      end)
+      :gsub("(<mspace[^>]*></mspace>)<mo>" .. sign .. "</mo>", '%1<mo form="prefix">' .. sign .. "</mo>")
+  end
+  -- The power of a sized bracket belongs to all of it; alone in the base, the bracket keeps its size.
+  html = html:gsub('(<mo minsize="[^>]*prefix">.-)<msup>(<mo minsize="[^>]*postfix">[^<]*</mo>)',
+    function(inside, bracket)
+      local balanced = select(2, inside:gsub("<%a", "")) == select(2, inside:gsub("</", ""))
+      return balanced and "<msup><mrow>" .. inside .. bracket .. "</mrow>" or nil
+    end)
   return settle_brackets(html)
 end
 
 local function formula(math) return pandoc.RawInline("html", formula_html(math)) end
+
+--- A formula and the punctuation behind it stay on one line.
+local function keep_punctuation(inlines)
+  local out = pandoc.List()
+  for _, inline in ipairs(inlines) do
+    local before = out[#out]
+    if before and before.t == "Math" and inline.t == "Str" and inline.text:match("^[,.;:)?!]") then
+      out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
+    else
+      out:insert(inline)
+    end
+  end
+  return out
+end
 
 local function html_of(inlines)
   local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk({ Math = formula })) })
   return (pandoc.write(document, "html5", { wrap_text = "none" }))
 end
 
--- 2. Sections: numbered headings; chapters are letters after the first appendix ---------------------
+-- 3. Sections: numbered headings; chapters are letters after the first appendix ---------------------
 
 local section = { 0, 0, 0 }
 local appendices = false
@@ -249,7 +277,6 @@ local function inline_svg(svg, name, alternative)
   local function colour(hex)
     hex = hex:lower()
     if hex == "000000" then return "currentColor" end
-    if hex == "ffffff" then return "var(--paper)" end
     if style:find("--ink-" .. hex, 1, true) then return "var(--ink-" .. hex .. ")" end
     return "#" .. hex
   end
@@ -258,7 +285,7 @@ local function inline_svg(svg, name, alternative)
     :gsub("rgb%(%s*(%d+),%s*(%d+),%s*(%d+)%s*%)", function(r, g, b)
       return string.format("#%02x%02x%02x", tonumber(r), tonumber(g), tonumber(b))
     end)
-    :gsub("([\"'])black([\"'])", "%1#000000%2"):gsub("([\"'])white([\"'])", "%1#ffffff%2")
+    :gsub("([\"'])black([\"'])", "%1#000000%2")
     :gsub("([\"'])#(%x%x%x%x%x%x)([\"'])", function(a, hex, b) return a .. colour(hex) .. b end)
     :gsub("(%sid=[\"'])", "%1" .. name .. "-"):gsub("(url%(#)", "%1" .. name .. "-")
     :gsub("(href=[\"']#)", "%1" .. name .. "-")
@@ -446,7 +473,7 @@ local function referred(id)
     complain("@" .. id, "unknown reference @%s", id)
     return escape("@" .. id)
   end
-  return link(id, nouns[label.kind][1] .. " " .. label.number)
+  return link(id, nouns[label.kind][1] .. "\u{A0}" .. label.number)
 end
 
 --- The lines of a code as HTML; `@eq:id` in them becomes a link.
@@ -611,14 +638,14 @@ local function resolve(cite)
   local out = pandoc.List()
   out:extend(ours[1].prefix)
   if #ours[1].prefix > 0 then out:insert(pandoc.Space()) end
-  if alike and #known > 1 and nouns[kind] then out:insert(pandoc.Str(nouns[kind][2] .. " ")) end
+  if alike and #known > 1 and nouns[kind] then out:insert(pandoc.Str(nouns[kind][2] .. "\u{A0}")) end
   for k, item in ipairs(known) do
     if k > 1 then out:insert(pandoc.Str(k == #known and " and " or ", ")) end
     local text = item.label.number
     if item.label.kind == "lst" then
       out:insert(pandoc.RawInline("html", link(item.id, mark(chunks[item.id:sub(5)]))))
     else
-      if not alike or #known == 1 then text = nouns[item.label.kind][1] .. " " .. text end
+      if not alike or #known == 1 then text = nouns[item.label.kind][1] .. "\u{A0}" .. text end
       out:insert(pandoc.Link(text, "#" .. item.id))
     end
   end
@@ -649,7 +676,9 @@ local function sorted(map, key)
 end
 
 local function place_bibliography(blocks)
-  local at = #blocks + 1
+  local at, cites = #blocks + 1, false
+  blocks:walk({ Cite = function() cites = true end })
+  if not cites then return end
   for k, block in ipairs(blocks) do
     if block.t == "Div" and block.identifier == "refs" then return end
     if block.t == "Header" and block.classes:includes("appendix") then at = math.min(at, k) end
@@ -762,7 +791,9 @@ function Pandoc(document)
   blocks = blocks:walk({ Para = checked_by, CodeBlock = code_block })
   document.blocks = blocks
   document = document:walk({ Code = value_in_text, Math = value_in_formula })
-  document = document:walk({ Cite = resolve, Math = formula })
+  document = document:walk({ Cite = resolve })
+  document = document:walk({ Inlines = keep_punctuation })
+  document = document:walk({ Math = formula })
   add_back_matter(document)
   stop_on_mistakes()
   document.meta.style = raw(style)

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# report_test.sh CASE BUILD: one promise of build/report.html, run in the project's folder. The cases
+# are the functions below that begin with a capital.
+source tests/common.sh
+source tests/report/weave.sh
+report="$PWD/build/report.html"
+[ -s "$report" ] || fail "no $report: run make report"
+build=$2
+
+# xpath EXPRESSION: what it selects, one a line; nothing selected is no error.
+xpath() { xmllint --xpath "$1" "$report" 2>"$work/errors" || grep -q 'set is empty' "$work/errors"; }
+
+attributes() { xpath "$1" | sed -n 's/^ *[a-z:]*="\(.*\)"$/\1/p'; }
+
+# The words of the page outside of code, formulas' sources and the style sheet.
+prose() {
+  xpath "//text()[not(ancestor::*[local-name()='code' or local-name()='annotation' or
+    local-name()='style' or local-name()='pre'])]"
+}
+
+expect_none() { [ -z "$1" ] || fail "$2: $1"; }
+
+IsWellFormed() { xmllint --noout "$report"; }
+
+IdsAreUnique() {
+  attributes '//@id' >"$work/ids"
+  [ -s "$work/ids" ] || fail "no ids found"
+  expect_none "$(sort "$work/ids" | uniq -d)" "ids that stand twice"
+}
+
+LinksResolve() {
+  attributes '//@id' | sort -u >"$work/ids"
+  attributes "//@*[local-name()='href'][starts-with(., '#')]" | sed 's/^#//' | sort -u >"$work/links"
+  [ -s "$work/links" ] || fail "no links found"
+  expect_none "$(comm -13 "$work/ids" "$work/links")" "links to nothing"
+}
+
+FetchesNothing() {
+  expect_none "$(xpath "//*[local-name()='script' or local-name()='link' or local-name()='img' or
+    local-name()='iframe' or local-name()='object']")" "elements that fetch"
+  expect_none "$(xpath "//@*[local-name()='href'][not(parent::*[local-name()='a'])]
+    [not(starts-with(., '#') or starts-with(., 'data:'))]")" "pictures that are fetched"
+  expect_none "$(attributes '//@src | //@srcset | //@poster | //@action')" "attributes that fetch"
+  expect_none "$(xpath "//@*[contains(., '://')][not(starts-with(., 'data:'))][not(local-name()='href' and parent::*[local-name()='a'])]")" \
+    "addresses outside of links"
+  expect_none "$(grep -noE '@import|url\([^#)]*\)' "$report" | head)" "style that fetches"
+}
+
+NothingIsLeftOver() {
+  prose >"$work/prose"
+  [ "$(wc -w <"$work/prose")" -gt 2000 ] || fail "hardly any prose found"
+  expect_none "$(grep -nF -e '??' -e '{#' -e '$$' -e '\value' -e '{.' -e ':::' "$work/prose")" "left over"
+  expect_none "$(grep -nE '@(eq|fig|tbl|sec|lst):' "$work/prose")" "unresolved references"
+  expect_none "$(grep -nF '\value' "$report")" "values not injected"
+}
+
+DrawingsAreDescribed() {
+  local drawn described script
+  drawn=$(xpath "count(//*[local-name()='svg'])")
+  described=$(xpath "count(//*[local-name()='svg'][@role='img'][string-length(@aria-label) > 20])")
+  [ "$drawn" -gt 0 ] && [ "$drawn" = "$described" ] || fail "$drawn drawings, $described described"
+  for script in figures/*.gp; do
+    [ -n "$(xpath "//@id[. = 'script:$(basename "$script" .gp)']")" ] || fail "$script is not listed"
+  done
+}
+
+FormulasAreMathML() {
+  [ "$(xpath "count(//*[local-name()='math'])")" -gt 200 ] || fail "hardly any formula found"
+  expect_none "$(xpath "//*[contains(@class, 'math inline') or contains(@class, 'math display')]")" \
+    "formulas left as TeX"
+}
+
+SizeIsBounded() {
+  local size
+  size=$(wc -c <"$report")
+  [ "$size" -lt 6000000 ] || fail "the report has $size bytes"
+}
+
+NamedTestsExist() {
+  xpath "//*[@class='checked']//*[local-name()='code']/text()" | sort -u >"$work/named"
+  [ "$(wc -l <"$work/named")" -gt 10 ] || fail "hardly any test is named"
+  ctest --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort -u >"$work/tests"
+  expect_none "$(comm -23 "$work/named" "$work/tests")" "tests that do not exist"
+}
+
+WovenTwiceAlike() {
+  weave "$work/once.html" paper/*.md
+  weave "$work/twice.html" paper/*.md
+  cmp "$work/once.html" "$work/twice.html"
+}
+
+"$1"

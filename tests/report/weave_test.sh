@@ -1,0 +1,281 @@
+#!/usr/bin/env bash
+# weave_test.sh CASE: one case of the weaver, run in the project's folder. The cases are the functions
+# below that begin with a capital; each writes its own small chapter, figures and data.
+source tests/common.sh
+source tests/report/weave.sh
+cd "$work"
+mkdir -p figures build/data build/figures
+
+# A chapter from stdin, below a title.
+chapter() {
+  printf -- '---\ntitle: Title\n---\n\n' >one.md
+  cat >>one.md
+}
+
+# A figure's three files.
+draw() {
+  echo 'plot sin(x)' >"figures/$1.gp"
+  printf 'x,y\n1,2\n' >"build/data/$1.csv"
+  cat >"build/figures/$1.svg" <<'END'
+<?xml version="1.0" encoding="utf-8"  standalone="no"?>
+<svg
+ viewBox="0 0 600 400"
+ xmlns="http://www.w3.org/2000/svg"
+>
+<title>x</title>
+<desc>Produced by GNUPLOT 5.4 patchlevel 4 </desc>
+<g id="gnuplot_canvas">
+<rect x="0" y="0" width="600" height="400" fill="#ffffff"/>
+<path id='gpPt0' stroke='black' d='M0,0 L1,1'/><use xlink:href='#gpPt0' color='rgb(  0, 114, 178)'/>
+</g></svg>
+END
+}
+
+# expect_error 'words': the weaver stops with exactly this message and writes nothing.
+expect_error() {
+  local status=0
+  weave page.html one.md 2>errors || status=$?
+  [ $status -ne 0 ] || fail "status 0, expected: $1"
+  grep -qxF -- "$1" errors || fail "said: $(cat errors); expected: $1"
+  [ ! -e page.html ] || fail "a page was written"
+}
+
+# expect 'words'...: the page is woven and its text holds each of the words.
+expect() {
+  weave page.html one.md
+  xmllint --noout page.html
+  local text words
+  text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html |
+    tr -s '\n ' ' ')
+  for words in "$@"; do
+    [[ $text == *"$words"* ]] || fail "not in the page: $words; the page: $text"
+  done
+}
+
+# expect_html 'part'...: the page holds each of the parts.
+expect_html() {
+  local part
+  for part in "$@"; do grep -qF -- "$part" page.html || fail "not in the page: $part"; done
+}
+
+UnknownReference() {
+  chapter <<<'See @eq:nowhere.'
+  expect_error 'one.md:5: unknown reference @eq:nowhere'
+}
+
+UnknownReferenceInGroup() {
+  chapter <<'END'
+$$ a $$ {#eq:a}
+
+See [@eq:a; @fig:nowhere].
+END
+  expect_error 'one.md:7: unknown reference @fig:nowhere'
+}
+
+UnknownReferenceInCode() {
+  chapter <<'END'
+``` {.cpp file=src/a.cpp}
+int a;  // @eq:nowhere
+```
+END
+  expect_error 'one.md:6: unknown reference @eq:nowhere'
+}
+
+UnknownChunk() {
+  chapter <<<'See @lst:nowhere.'
+  expect_error 'one.md:5: unknown reference @lst:nowhere'
+}
+
+UnknownCitation() {
+  chapter <<<'See [@nobody1900].'
+  expect_error '[WARNING] Citeproc: citation nobody1900 not found'
+}
+
+UnknownValue() {
+  echo '{"known": "1.5"}' >build/data/values.json
+  chapter <<<'It is `unknown`{.value}.'
+  expect_error 'one.md:5: unknown value unknown'
+}
+
+UnknownValueInFormula() {
+  echo '{"known": "1.5"}' >build/data/values.json
+  chapter <<<'It is $\value{unknown}$.'
+  expect_error 'one.md:5: unknown value unknown'
+}
+
+ValuesAreNotStrings() {
+  echo '{"known": 1.5}' >build/data/values.json
+  chapter <<<'It is `known`{.value}.'
+  expect_error 'build/data/values.json: not one flat object of strings'
+}
+
+BadFormula() {
+  chapter <<<'It is $\nonsense$.'
+  expect_error 'one.md:5: this formula cannot be written as MathML: \nonsense'
+}
+
+DuplicateId() {
+  chapter <<'END'
+$$ a $$ {#eq:a}
+
+$$ b $$ {#eq:a}
+END
+  expect_error 'one.md:5: duplicate id eq:a'
+}
+
+NoAlternativeText() {
+  draw f
+  chapter <<<'![Caption.](figures/f.svg){#fig:f}'
+  expect_error 'one.md:5: figure fig:f has no fig-alt text'
+}
+
+FigureWithoutId() {
+  draw f
+  chapter <<<'![Caption.](figures/f.svg){fig-alt="A curve"}'
+  expect_error 'one.md:5: figure figures/f.svg is not written as ![...](figures/name.svg){#fig:id}'
+}
+
+MissingFigureFile() {
+  local file
+  chapter <<<'![Caption.](figures/f.svg){#fig:f fig-alt="A curve"}'
+  for file in figures/f.gp build/figures/f.svg build/data/f.csv; do
+    draw f
+    rm "$file"
+    expect_error "one.md:5: figure fig:f needs $file, which is missing"
+  done
+}
+
+MissingTableData() {
+  chapter <<'END'
+::: {#tbl:t csv="t.csv"}
+Caption.
+:::
+END
+  expect_error 'one.md:5: table tbl:t needs build/data/t.csv, which is missing'
+}
+
+HeadingsDoNotMatchTheTable() {
+  printf 'a,b\n1,2\n' >build/data/t.csv
+  chapter <<'END'
+::: {#tbl:t csv="t.csv" header="A|B|C"}
+Caption.
+:::
+END
+  expect_error 'one.md:5: table tbl:t: 3 headings for 2 columns of build/data/t.csv'
+}
+
+AllMistakesAtOnce() {
+  chapter <<<'See @eq:first and @eq:second.'
+  expect_error 'one.md:5: unknown reference @eq:first'
+  expect_error 'one.md:5: unknown reference @eq:second'
+}
+
+NumbersAndReferences() {
+  chapter <<'END'
+# First {#sec:first}
+
+## Inner {#sec:inner}
+
+The formula
+$$ a = b $$ {#eq:a paper=25}
+and $$ c $$ {#eq:c paper="26, 27"} are [@eq:a; @eq:c] in @sec:inner, [@sec:first; @sec:last; @eq:c].
+
+# Last {#sec:last .appendix}
+
+See @sec:last, @tbl:t.
+
+| a |
+|---|
+| 1 |
+
+: Some numbers {#tbl:t}
+END
+  expect '1 First' '1.1 Inner' '(1) [25]' '(2) [26, 27]' 'are Eqs. (1) and (2) in Section 1.1,' \
+    'Section 1, Appendix A and Eq. (2).' 'A Last' 'See Appendix A, Table 1.' 'Table 1. Some numbers'
+  expect_html '<a href="#eq:a">(1)</a>' 'id="eq:a"' '<a href="#sec:last">' 'id="tbl:t"'
+}
+
+ValuesAreInjected() {
+  echo '{"a": "1.5", "b": "-2", "c": "3\\cdot10^{-4}", "d": "say \"so\""}' >build/data/values.json
+  chapter <<<'It is `a`{.value}, `b`{.value}, `c`{.value}, `d`{.value}, $x = \value{a}$.'
+  expect 'It is 1.5, −2, 3⋅10−4, say "so", x=1.5.'
+}
+
+TableFromData() {
+  printf 'what,number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\n' >build/data/t.csv
+  chapter <<'END'
+$$ e $$ {#eq:e}
+
+::: {#tbl:t csv="t.csv" header="Name $n$|Number"}
+The *caption*.
+:::
+END
+  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3'
+  expect_html '<td style="text-align: right;">−1</td>' '<code>c</code>'
+}
+
+FiguresKeepTheirIdsApart() {
+  draw f
+  draw g
+  chapter <<'END'
+![One.](figures/f.svg){#fig:f fig-alt="A curve & more"}
+
+![Two.](figures/g.svg){#fig:g fig-alt="Another"}
+END
+  expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
+  expect_html 'aria-label="A curve &amp; more"' "id='f-gpPt0'" "href='#f-gpPt0'" "id='g-gpPt0'" \
+    "stroke='currentColor'" "color='var(--ink-0072b2)'" 'id="script:f"' \
+    'href="data:text/csv;charset=utf-8,x,y%0A1,2%0A" download="f.csv"'
+  if grep -q 'fill="#ffffff"' page.html; then fail "the white ground is still there"; fi
+}
+
+ChunksAreLinked() {
+  chapter <<'END'
+$$ e $$ {#eq:e}
+
+``` {.cpp file=src/a.cpp title="The file"}
+int a;
+  <<part>>
+```
+
+``` {.cpp #part title="A part of $x$"}
+int b;  // @eq:e
+```
+
+``` {.cpp #part}
+int c;
+```
+
+See @lst:part.
+END
+  expect '⟨A part of x 2⟩part 1 of 2 ↓' '⟨A part of x 2⟩part 2 of 2 ↑' 'used in ⟨The file 1⟩' \
+    'file src/a.cpp · defined at one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
+    'src/a.cpp 3 lines from one.md'
+  expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
+    '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
+}
+
+WovenTwiceAlike() {
+  draw f
+  chapter <<'END'
+![One.](figures/f.svg){#fig:f fig-alt="A curve"}
+
+``` {.cpp file=src/a.cpp}
+<<one>>
+<<two>>
+```
+
+``` {.cpp #one}
+int b;
+```
+
+``` {.cpp #two}
+int c;
+```
+END
+  weave page.html one.md
+  weave again.html one.md
+  cmp page.html again.html
+}
+
+"$1"
