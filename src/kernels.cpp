@@ -26,19 +26,21 @@ double tail(double y) {
 
 /// K_1(x) - 1/x, @eq:K1-regular; 0 < x <= 1.
 double K1_regular(double x) {
-  double term = 1, psi_sum = 1 - 2 * euler_gamma, sum = psi_sum;
-  for (int k = 1; std::abs(term) > epsilon; ++k) {
+  const double log_half = std::log(x / 2);
+  double term = 1, psi_sum = 1 - 2 * euler_gamma, sum = log_half - psi_sum / 2;
+  for (int k = 1; term > epsilon; ++k) {
     term *= x * x / (4.0 * k * (k + 1));
     psi_sum += 1.0 / k + 1.0 / (k + 1);
-    sum += term * psi_sum;
+    sum += term * (log_half - psi_sum / 2);
   }
-  return std::log(x / 2) * gsl_sf_bessel_I1(x) - x / 4 * sum;
+  return x / 2 * sum;
 }
 
 }  // namespace
 
 double N1(double zeta) {
   if (!(zeta > 0)) return 0;
+  if (zeta < epsilon) return 1;
   if (zeta < far) return gsl_sf_bessel_I0_scaled(zeta) - gsl_sf_bessel_I1_scaled(zeta);
   return tail(1 / zeta) / (zeta * std::sqrt(2 * pi * zeta));
 }

@@ -1,11 +1,18 @@
 // Tangled from paper/B-data-files.md; edit there.
 #include "numbers.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
 namespace thermoroll {
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};  // a double needs at most 24 characters
+  return {text.data(), std::to_chars(text.begin(), text.end(), value).ptr};
+}
 
 std::string fixed(double value, int decimals) {
   std::ostringstream text;

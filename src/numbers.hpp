@@ -5,6 +5,9 @@
 
 namespace thermoroll {
 
+/// A number with as many digits as it takes to read it back unchanged, as "0.1" or "1e-300".
+std::string shortest(double value);
+
 /// A number with so many decimals, as "0.0021".
 std::string fixed(double value, int decimals);
 

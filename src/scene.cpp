@@ -2,8 +2,9 @@
 #include "scene.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+
+#include "numbers.hpp"
 
 namespace thermoroll {
 
@@ -30,17 +31,14 @@ PhysicalCase wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5,
 
 void require(bool allowed, const std::string& name, double value, const std::string& range) {
   if (allowed && std::isfinite(value)) return;
-  std::ostringstream message;
-  message << name << " = " << value << " is not allowed: it must be " << range;
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument(name + " = " + shortest(value) + " is not allowed: it must be " +
+                              range);
 }
 
 void check(const Scene& scene) {
   require(scene.friction > 0, "friction", scene.friction, "positive");
-  std::ostringstream range;
-  range << "above 0 and below the friction, " << scene.friction;
   require(scene.traction > 0 && scene.traction < scene.friction, "traction", scene.traction,
-          range.str());
+          "above 0 and below the friction, " + shortest(scene.friction));
   require(scene.peclet > 0, "peclet", scene.peclet, "positive");
   require(scene.heating >= 0, "heating", scene.heating, "zero or positive");
 }
