@@ -75,7 +75,7 @@ lacks_command = $(if $(command_of_$1),$(if $(shell command -v '$(command_of_$1)'
 missing := $(strip $(foreach package,$(packages),$(call lacks_command,$(package))))
 ifneq ($(missing),)
 $(error $(foreach package,$(missing),$(command_of_$(package))) not found: \
-  run 'make setup $(MAKECMDGOALS)' or 'apt-get install $(missing)')
+  run 'make setup $(or $(MAKECMDGOALS),all)' or 'apt-get install $(missing)')
 endif
 
 # --- What there is to make ------------------------------------------------------------------------
