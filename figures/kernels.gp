@@ -8,7 +8,7 @@ set xtics 2
 set ytics 1
 set label '{/:Italic M}' at -2.6, 0.97
 set label '{/:Italic N}_1' at 1.3, 0.5
-set label '{/:Italic N}_2' at 1.5, -0.7
+set label '{/:Italic N}_2' at 1.6, -0.77
 set label 'downstream' at -5.8, 2.8
 set label 'upstream' at 5.8, 2.8 right
 

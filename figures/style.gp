@@ -68,7 +68,7 @@ key(x, y) = sprintf("set arrow from graph %g, graph %g rto graph 0.05, 0 nohead 
 
 # Labels in the right margin, each on a short leader from its curve's end (at x_max, `height`),
 # lifted where they would touch the label below: write_label must be called from the lowest up.
-set_margin_labels = "set rmargin at screen 0.815; below = -1e9"
+set_margin_labels = "set rmargin at screen 0.80; below = -1e9"
 gap = 0.062
 lifted(height) = below = height > below + gap*(y_max - y_min) ? height : below + gap*(y_max - y_min)
 margin_label(i, text, height) = sprintf( \

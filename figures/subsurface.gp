@@ -38,11 +38,11 @@ set yrange [STATS_max_y + half_y:STATS_min_y - half_y]
 eval axes('s', 'y')
 set xtics 1
 set ytics 0.1
-set rmargin at screen 0.83
-set colorbox user origin screen 0.86, screen 0.14 size screen 0.03, screen 0.765
+set rmargin at screen 0.82
+set colorbox user origin screen 0.845, screen 0.14 size screen 0.03, screen 0.765
 set cbrange [0:0.015]
 set cbtics 0.005 offset -0.6,0
-set label '{/:Italic T*}' at screen 0.875, graph 1.075 center
+set label '{/:Italic T*}' at screen 0.86, graph 1.075 center
 
 # The zones of the contact, along the surface.
 c = 2*sqrt(1 - 0.5/0.6) - 1

@@ -1,0 +1,78 @@
+# check_svg NAME FILE: is FILE the picture of figure NAME? One line on stderr for the first thing
+# that is not, and a failure.
+
+query() { xmllint --xpath "$2" "$1" 2>/dev/null; }
+
+# The titles of the curves in the order in which they are drawn.
+curves_of() {
+  case $1 in
+    geometry)
+      printf '%s\n' half-space cylinder 'outline of the cylinder' 'surface of the half-space' \
+        'stick zone' 'slip zone' ;;
+    kernels) printf '%s\n' 'N1, downstream' 'N1, upstream' N2 M ;;
+    traction | slip | temperature-load)
+      for kind in converged 'published scheme'; do
+        for traction in 0.2 0.4 0.5 0.59; do echo "Q* = $traction, $kind"; done
+      done ;;
+    temperature-?)
+      for kind in converged 'published scheme'; do
+        for peclet in 100 500 1000 5000; do echo "Pe = $peclet, $kind"; done
+      done ;;
+    subsurface) printf '%s\n' 'T*' isotherms ;;
+    sliding)
+      for traction in 0.5 0.2; do
+        for kind in rolling sliding; do echo "Q* = $traction, $kind"; done
+      done ;;
+    creep) printf '%s\n' converged 'published scheme' ;;
+  esac
+}
+
+# What must be written in the picture: axes and the labels of the curves.
+labels_of() {
+  case $1 in
+    geometry) printf '%s\n' P Q R x y V 'V / R' −a c a stick slip 'heat f V v p' half-space ;;
+    kernels) printf '%s\n' ζ M N1 N2 upstream downstream ;;
+    traction) printf '%s\n' s 'q*' 0.2 0.4 0.5 'Q* = 0.59' converged 'published scheme, n = 200' ;;
+    slip) printf '%s\n' s 'v*' 0.2 0.4 0.5 'Q* = 0.59' converged 'published scheme, n = 200' ;;
+    temperature-load)
+      printf '%s\n' s 'T*' 0.2 0.4 0.5 'Q* = 0.59' converged 'published scheme, n = 200' ;;
+    temperature-?)
+      printf '%s\n' s 'T*' 'Pe = 100' 500 1000 5000 converged 'published scheme, n = 200' ;;
+    subsurface) printf '%s\n' s y 'T*' stick slip 0.0005 0.002 0.004 0.006 ;;
+    sliding) printf '%s\n' s 'T*' 'rolling, Q* = 0.5' 'rolling, Q* = 0.2' sliding ;;
+    creep) printf '%s\n' 'ξ*' 'Q*' 'full sliding, Q* = f' converged 'published scheme, n = 200' ;;
+  esac
+}
+
+check_svg() {
+  local name=$1 file=$2 id=${1//-/_}
+  wrong() { echo "$name: $*" >&2; return 1; }
+  xmllint --noout "$file" 2>/dev/null || wrong "not XML" || return
+  [ "$(query "$file" 'string(/*/@viewBox)')" = '0 0 560 380' ] || wrong "viewBox" || return
+  [ "$(query "$file" 'string(/*/*[local-name()="title"])')" = "$id" ] || wrong "title" || return
+  [ "$(wc -c <"$file")" -lt 300000 ] || wrong "too large" || return
+
+  local plots="//*[starts-with(@id, '${id}_plot_')]"
+  local titles
+  titles=$(query "$file" "$plots/*[local-name()='title']/text()")
+  [ -n "$titles" ] && [ "$titles" = "$(curves_of "$name")" ] || wrong "curves: $titles" || return
+
+  local empty="[not(.//*[local-name()='path' or local-name()='polygon'][string-length(concat(@d, @points)) > 9]
+    or .//*[local-name()='use'] or .//*[local-name()='image'])]"
+  [ "$(query "$file" "count($plots$empty)")" = 0 ] || wrong "an empty curve" || return
+
+  # No NaN or infinity among the coordinates, and none far outside of the picture.
+  query "$file" '//@d | //@points | //@transform | //@x | //@y' | tr -c '0-9a-zA-Z.+\n-' ' ' | awk '
+    tolower($0) ~ /nan|inf/ { exit 1 }
+    { gsub(/[A-Za-z]/, " "); for (i = 1; i <= NF; ++i) if ($i < -40 || $i > 700) exit 1 }' ||
+    wrong "a coordinate that is none" || return
+
+  [ "$(query "$file" 'count(//@*[local-name()="href"][not(starts-with(., "#") or starts-with(., "data:"))])')" = 0 ] ||
+    wrong "something external" || return
+
+  local label
+  while read -r label; do
+    [ "$(query "$file" "count(//*[local-name()='text'][normalize-space(.) = '$label'])")" -gt 0 ] ||
+      wrong "label $label" || return
+  done < <(labels_of "$name")
+}

@@ -1,0 +1,170 @@
+// What Figures "traction", "slip" and "creep" must show, whatever computed them.
+#include "curves.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace thermoroll_test;
+
+namespace {
+
+// The published scheme computes with heat. Its surfaces are tilted by at most
+// f Pe H int N1* v* p* -> f H max(v* p*), because Pe N1* has unit area; v* p* < 0.25 here.
+const double heat_tilt = friction * heating * 0.25;
+
+// A function that ends like C sqrt(distance) costs the trapezium rule 0.2079 C h^1.5 at each such
+// end (0.2079 = -zeta(-1/2)). Here C = (2f/pi) sqrt(2) at s = 1 and shares of that, which add up
+// to it, at s = -1 and at the border.
+double trapezium_error(double h) {
+  return 2 * 0.2079 * 2 * friction / pi * std::sqrt(2.0) * std::pow(h, 1.5);
+}
+
+Curve traction_curve(const std::string& method, const std::string& traction) {
+  return curve(data("traction"), {{"method", method}, {"traction", traction}}, "s", "q");
+}
+
+Curve slip_curve(const std::string& method, const std::string& traction) {
+  return curve(data("slip"), {{"method", method}, {"traction", traction}}, "s", "v");
+}
+
+Curve creep_curve(const std::string& method) {
+  return curve(data("creep"), {{"method", method}}, "creep", "traction");
+}
+
+}  // namespace
+
+TEST(TractionFigure, LiesBetweenZeroAndTheFrictionLimit) {
+  for (const std::string& traction : tractions)
+    for (const std::string method : {"converged", "printed"}) {
+      // With heat the pressure is not quite Hertz's: by the tilt, at most.
+      const double slack = method == "printed" ? heat_tilt : last_digit;
+      const Curve q = traction_curve(method, traction);
+      for (std::size_t i = 0; i < q.x.size(); ++i) {
+        EXPECT_GE(q.y[i], -slack) << method << " " << traction << " at " << q.x[i];
+        EXPECT_LE(q.y[i], friction * pressure(q.x[i]) + slack)
+            << method << " " << traction << " at " << q.x[i];
+      }
+      EXPECT_LT(largest(q), 0.4) << "the paper's axis";
+    }
+}
+
+TEST(TractionFigure, ReachesTheFrictionLimitInTheSlipZoneOnly) {
+  for (const std::string& traction : tractions) {
+    const Curve q = traction_curve("converged", traction);
+    for (std::size_t i = 1; i + 1 < q.x.size(); ++i) {
+      const double reserve = friction * pressure(q.x[i]) - q.y[i];
+      if (q.x[i] > border(std::stod(traction))) {
+        EXPECT_NEAR(reserve, 0, last_digit) << traction << " at " << q.x[i];
+      } else {
+        EXPECT_GT(reserve, last_digit) << traction << " at " << q.x[i];
+      }
+    }
+  }
+}
+
+TEST(TractionFigure, AddsUpToTheTangentialForce) {
+  for (const std::string& traction : tractions) {
+    EXPECT_NEAR(integral(traction_curve("converged", traction)), std::stod(traction),
+                trapezium_error(2.0 / 400));
+    EXPECT_NEAR(integral(traction_curve("printed", traction)), std::stod(traction),
+                trapezium_error(pi / (nodes + 1)));
+  }
+}
+
+TEST(TractionFigure, RisesWithTheTangentialForce) {
+  for (std::size_t k = 1; k < tractions.size(); ++k) {
+    const Curve lower = traction_curve("converged", tractions[k - 1]);
+    const Curve upper = traction_curve("converged", tractions[k]);
+    ASSERT_EQ(lower.x, upper.x);
+    for (std::size_t i = 0; i < lower.x.size(); ++i)
+      EXPECT_LE(lower.y[i], upper.y[i] + last_digit) << tractions[k] << " at " << lower.x[i];
+  }
+}
+
+TEST(SlipFigure, IsZeroInTheStickZoneAndPositiveInTheSlipZone) {
+  for (const std::string& traction : tractions) {
+    const Curve v = slip_curve("converged", traction);
+    for (std::size_t i = 0; i < v.x.size(); ++i)
+      if (v.x[i] > border(std::stod(traction)) + last_digit) {
+        EXPECT_GT(v.y[i], 0) << traction << " at " << v.x[i];
+      } else {
+        EXPECT_EQ(v.y[i], 0) << traction << " at " << v.x[i];
+      }
+  }
+}
+
+TEST(SlipFigure, PublishedSchemeSlipsBehindOneBorder) {
+  for (const std::string& traction : tractions) {
+    const Curve v = slip_curve("printed", traction);
+    std::size_t first = 0;
+    while (first < v.x.size() && v.y[first] == 0) ++first;
+    ASSERT_TRUE(0 < first && first < v.x.size());
+    for (std::size_t i = first; i < v.x.size(); ++i) EXPECT_GT(v.y[i], 0) << v.x[i];
+    // The border is met to within the spacing of the nodes, for heat moves it less than that.
+    EXPECT_GT(v.x[first], border(std::stod(traction)) - pi / (nodes + 1));
+    EXPECT_LT(v.x[first - 1], border(std::stod(traction)) + pi / (nodes + 1));
+  }
+}
+
+TEST(SlipFigure, RisesAlongTheContactAndWithTheTangentialForce) {
+  for (std::size_t k = 0; k < tractions.size(); ++k) {
+    const Curve v = slip_curve("converged", tractions[k]);
+    for (std::size_t i = 1; i < v.x.size(); ++i) EXPECT_GE(v.y[i], v.y[i - 1]) << v.x[i];
+    EXPECT_LT(largest(v), 0.8) << "the paper's axis";
+    if (k == 0) continue;
+    // The curves are concave where they rise, so chords lie below: compare at the lower one's
+    // points with the upper one's chords, which a step of 1/200 keeps within its square of the
+    // curve.
+    const Curve lower = slip_curve("converged", tractions[k - 1]);
+    for (std::size_t i = 0; i < lower.x.size(); ++i)
+      EXPECT_LE(lower.y[i], at(v, lower.x[i]) + 1 / (200.0 * 200.0)) << lower.x[i];
+  }
+}
+
+// The energy identity: friction does f int v* p* ds = xi* Q*.
+TEST(SlipFigure, CarriesTheHeatOfTheEnergyIdentity) {
+  for (const std::string& traction : tractions) {
+    Curve v = slip_curve("converged", traction);
+    double step = 0;  // the widest in the slip zone
+    for (std::size_t i = 0; i < v.x.size(); ++i) {
+      if (i > 0 && v.y[i] > 0) step = std::max(step, v.x[i] - v.x[i - 1]);
+      v.y[i] *= pressure(v.x[i]);
+    }
+    // The product, too, ends like square roots, with smaller factors than those of q*.
+    EXPECT_NEAR(integral(v), heat(std::stod(traction)), trapezium_error(step)) << traction;
+  }
+}
+
+TEST(CreepFigure, RisesFromZeroEverFlatterToFullSliding) {
+  const Curve c = creep_curve("converged");
+  ASSERT_GE(c.x.size(), 20u);
+  EXPECT_EQ(c.x.front(), 0);
+  EXPECT_EQ(c.y.front(), 0);
+  double last_slope = pi;  // of the slope dQ*/dxi* = pi b at no creep, b = 1
+  for (std::size_t i = 1; i < c.x.size(); ++i) {
+    const double slope = (c.y[i] - c.y[i - 1]) / (c.x[i] - c.x[i - 1]);
+    // Ten digits of Q* < 1 divided by the step.
+    const double rounding = 2 * last_digit / (c.x[i] - c.x[i - 1]);
+    EXPECT_GE(slope, -rounding) << c.x[i];
+    EXPECT_LE(slope, last_slope + rounding) << c.x[i];
+    EXPECT_LE(c.y[i], friction + last_digit) << c.x[i];
+    last_slope = slope;
+  }
+}
+
+TEST(CreepFigure, StartsWithTheSlopePiAndEndsFlat) {
+  const Curve c = creep_curve("converged");
+  // Between two points the slope is the mean of pi b at both, and b falls by pi/(2f) a unit of
+  // creep.
+  const double fall = pi * pi / (2 * friction);
+  EXPECT_NEAR(c.y[1] / c.x[1], pi - fall * c.x[1] / 2, 1e-6);
+  EXPECT_NEAR(c.y.back(), friction, fall * 1e-9);
+  EXPECT_GE(c.x.back(), 2 * friction / pi - 1e-9) << "where all of the contact slides";
+}
+
+TEST(CreepFigure, PublishedSchemeIsNearTheCurve) {
+  const Curve exact = creep_curve("converged"), printed = creep_curve("printed");
+  // Heat strains the surface by f Pe H int N2* v* p*, of the size f H max(v* p*) of the tilt times
+  // a logarithm; the slope of the curve, at most pi, makes a traction of that.
+  for (std::size_t i = 0; i < printed.x.size(); ++i)
+    EXPECT_NEAR(printed.y[i], at(exact, printed.x[i]), pi * heat_tilt) << printed.x[i];
+}
