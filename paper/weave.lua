@@ -12,14 +12,14 @@
 --   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
 --   : Caption {#tbl:x}                                below a table
---   ::: {#tbl:x csv="x.csv" header="A|B"}             a table from build/data/x.csv; a paragraph in it
---                                                     is the caption; `header` replaces the file's own
+--   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv; the paragraph in
+--                                                     it is the caption
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   `key`{.value}, \value{key} in formulas            a computed number, from build/data/values.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
--- culprit, and nothing is written. The passes stand in the order in which they run.
+-- culprit, and nothing is written.
 
 local utils = pandoc.utils
 local here = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
@@ -45,7 +45,7 @@ local function place(culprit)
     for line in (chapter.text .. "\n"):gmatch("(.-)\n") do
       number = number + 1
       local _, last = line:find(culprit, 1, true)
-      if last and not line:sub(last + 1, last + 1):match("[%w_]") then
+      if last and not line:sub(last + 1, last + 1):match("[%w_-]") then
         return chapter.name .. ":" .. number .. ": "
       end
     end
@@ -80,94 +80,109 @@ local function uri_encoded(text)
   return (text:gsub("[^%w%-%._~,;:/]", function(c) return string.format("%%%02X", c:byte()) end))
 end
 
+local function link(id, html) return string.format('<a href="#%s">%s</a>', id, html) end
+
 -- 1. Labels: what can be referred to, and what it is called -----------------------------------------
 
-local labels = {} -- id -> { kind, number, title }
+local labels = {} -- id -> { kind, number, html }: what a link to it says, where that is not its number
 local nouns = {
   eq = { "Eq.", "Eqs." }, fig = { "Figure", "Figures" }, tbl = { "Table", "Tables" },
-  sec = { "Section", "Sections" }, appendix = { "Appendix", "Appendices" },
+  sec = { "Section", "Sections" }, appendix = { "Appendix", "Appendices" }, lst = { "", "" },
 }
 
-local function define(id, kind, number, title)
-  if labels[id] then complain("#" .. id, "duplicate id %s", id) end
-  labels[id] = { kind = kind, number = number, title = title }
-end
-
 local counts = {}
-local function next_number(kind)
+
+--- Gives `id` the next number of its kind, or `number` itself, and returns it.
+local function define(id, kind, number)
+  if labels[id] then complain("#" .. id, "duplicate id %s", id) end
   counts[kind] = (counts[kind] or 0) + 1
-  return tostring(counts[kind])
+  labels[id] = { kind = kind, number = number or tostring(counts[kind]) }
+  return labels[id].number
 end
 
--- 2. Formulas: MathML as browsers draw it -----------------------------------------------------------
+local function refers(id) return nouns[id:match("^(%l+):") or ""] ~= nil end
 
---- Brackets round something flat do not stretch: browsers set a bracket that could stretch too wide.
-local function settle_brackets(html)
-  local opened, flat = {}, {}
-  local stretchy = '<mo stretchy="()true()" form="(%l+)">'
-  for from, to, form in html:gmatch(stretchy) do
-    if form == "prefix" then
-      table.insert(opened, { from = from, to = to })
-    elseif #opened > 0 then
-      local left = table.remove(opened)
-      local inside = html:sub(left.to, from)
-      local tall = false
-      for _, mark in ipairs({ "<mfrac", "<munder", "<msqrt", "<mtable", "∑", "∫" }) do
-        tall = tall or inside:find(mark, 1, true)
-      end
-      flat[left.from], flat[from] = not tall, not tall
-    end
+--- A link that says "Eq. (7)", or only "(7)" if `bare`.
+local function referred(id, bare)
+  local label = labels[id]
+  if not label then
+    complain("@" .. id, "unknown reference @%s", id)
+    return ""
   end
-  return (html:gsub(stretchy, function(from, _, form)
-    return string.format('<mo stretchy="%s" form="%s">', flat[from] and "false" or "true", form)
-  end))
+  local number = label.kind == "eq" and "(" .. label.number .. ")" or label.number
+  return link(id, label.html or (bare and "" or nouns[label.kind][1] .. "\u{A0}") .. number)
 end
 
---- Pandoc's MathML with what browsers know of it: upright words, the space round a function's name,
---- sized brackets, accents, aligned columns, the minus that is a sign.
-local function formula_html(math)
-  math.text = math.text:gsub("\\Bigl%f[%A]", "\\Big") -- which alone of its kind is unknown
-  local html = pandoc.write(pandoc.Pandoc({ pandoc.Plain({ math }) }), "html5",
-                            { html_math_method = "mathml", wrap_text = "none" })
-  if not html:match("^<math") then
-    complain(math.text, "this formula cannot be written as MathML: %s", math.text)
-  end
-  html = html:gsub('<mstyle mathvariant="normal">(.-)</mstyle>', function(inside)
-      local word = inside:gsub("</mi><mi>", "")
-      return word:gsub("^<mi>([^<]*)</mi>$", '<mi mathvariant="normal">%1</mi>')
-    end)
-    :gsub('<mo>(%a%a+)</mo>(<?m?r?o?w?>?<?m?o?)', function(name, follows)
-      return string.format('<mo lspace="0.167em" rspace="%sem">%s</mo>%s',
-                           follows == "<mrow><mo" and "0" or "0.167", name, follows)
-    end)
-    :gsub('minsize="1.2" maxsize="1.2" stretchy="false"', 'mathsize="1.2em" stretchy="false"')
-    :gsub('minsize="([%d.]+)" maxsize="[%d.]+" stretchy="false"', 'minsize="%1em" maxsize="%1em" stretchy="true"')
-    :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
-    :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
+-- 2. Prose: references, computed numbers, formulas --------------------------------------------------
 
-  for _, sign in ipairs({ "−", "±", "∓" }) do -- a sign, where no term stands before it
-    html = html:gsub("(<mo([^>]*)>[^<]*</mo>)<mo>" .. sign .. "</mo>", function(before, attributes)
-        if not attributes:find("postfix") then return before .. '<mo form="prefix">' .. sign .. "</mo>" end
-      end)
-      :gsub("(<mspace[^>]*></mspace>)<mo>" .. sign .. "</mo>", '%1<mo form="prefix">' .. sign .. "</mo>")
+--- `@eq:a` and `[@eq:a; @eq:b]`; other citations are left to Pandoc.
+local function resolve(cite)
+  local citations = cite.citations
+  if not citations:find_if(function(c) return refers(c.id) end) then return nil end
+  local out, kind, alike = pandoc.List(citations[1].prefix), nil, #citations > 1
+  for _, citation in ipairs(citations) do
+    local label = labels[citation.id] or {}
+    kind = kind or label.kind
+    alike = alike and label.kind == kind and not label.html
   end
-  -- The power of a sized bracket belongs to all of it; alone in the base, the bracket keeps its size.
-  html = html:gsub('(<mo minsize="[^>]*prefix">.-)<msup>(<mo minsize="[^>]*postfix">[^<]*</mo>)',
-    function(inside, bracket)
-      local balanced = select(2, inside:gsub("<%a", "")) == select(2, inside:gsub("</", ""))
-      return balanced and "<msup><mrow>" .. inside .. bracket .. "</mrow>" or nil
-    end)
-  return settle_brackets(html)
+  if #out > 0 then out:insert(pandoc.Space()) end
+  if alike then out:insert(pandoc.Str(nouns[kind][2] .. "\u{A0}")) end
+  for k, citation in ipairs(citations) do
+    if k > 1 then out:insert(pandoc.Str(k == #citations and " and " or ", ")) end
+    out:insert(pandoc.RawInline("html", referred(citation.id, alike)))
+  end
+  out:extend(citations[#citations].suffix)
+  return out
 end
 
-local function formula(math) return pandoc.RawInline("html", formula_html(math)) end
+local values
+
+--- values.json is one flat object whose values are strings, as they are to be printed.
+local function read_values()
+  local path, found = "build/data/values.json", {}
+  local text = read(path)
+  if not text then complain(path, "%s is missing", path) end
+  local rest = (text or "{}"):gsub('"([^"\\]*)"%s*:%s*"(.-[^\\])"', function(key, value)
+    found[key] = value:gsub('\\(["\\/])', "%1")
+    return ""
+  end)
+  if not rest:match("^%s*{[%s,]*}%s*$") then
+    complain(path, "%s: not one flat object of strings", path)
+  end
+  return found
+end
+
+local function value(key, written)
+  values = values or read_values()
+  if not values[key] then complain(written, "unknown value %s", key) end
+  return values[key] or ""
+end
+
+local mathml = dofile(here .. "mathml.lua")
+
+local function formula(math)
+  local tex = math.text:gsub("\\value{([^}]*)}", function(key)
+    return "{" .. value(key, "\\value{" .. key .. "}") .. "}"
+  end)
+  local html = mathml(tex, math.mathtype)
+  if not html then complain(math.text, "this formula cannot be written as MathML: %s", tex) end
+  return pandoc.RawInline("html", html or "")
+end
+
+local function value_in_text(code)
+  if not code.classes:includes("value") then return nil end
+  local text = value(code.text, "`" .. code.text .. "`{.value}")
+  if text:find("[\\^]") then return formula(pandoc.Math("InlineMath", text)) end
+  return pandoc.Str((text:gsub("^-", "−")))
+end
 
 --- A formula and the punctuation behind it stay on one line.
 local function keep_punctuation(inlines)
   local out = pandoc.List()
   for _, inline in ipairs(inlines) do
     local before = out[#out]
-    if before and before.t == "Math" and inline.t == "Str" and inline.text:match("^[,.;:)?!]") then
+    if inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
+       and before.t == "RawInline" and before.text:match("^<math") then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
     else
       out:insert(inline)
@@ -176,8 +191,10 @@ local function keep_punctuation(inlines)
   return out
 end
 
+local prose = { Cite = resolve, Code = value_in_text, Math = formula, Inlines = keep_punctuation }
+
 local function html_of(inlines)
-  local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk({ Math = formula })) })
+  local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk(prose)) })
   return (pandoc.write(document, "html5", { wrap_text = "none" }))
 end
 
@@ -206,7 +223,7 @@ local function number_heading(heading)
   return heading
 end
 
--- 3. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
+-- 4. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
 
 --- From the inlines behind a formula takes `{#eq:id paper=..}`: id, the paper's number, the rest.
 local function take_label(inlines)
@@ -227,8 +244,7 @@ end
 local function equation(math, id, paper)
   local parts = { raw('<div class="formula">'), pandoc.Plain({ math }), raw("</div>") }
   if id then
-    local number = next_number("eq")
-    define(id, "eq", "(" .. number .. ")")
+    local number = define(id, "eq")
     local theirs = paper and string.format(
       '<span class="paper-number" title="Equation (%s) of the paper">[%s]</span>', paper, paper) or ""
     table.insert(parts, raw(string.format('<div class="number">(%s) %s</div>', number, theirs)))
@@ -244,7 +260,7 @@ local function trimmed(inlines)
 end
 
 local function cut_at_formulas(paragraph)
-  local is_display = function(inline) return inline.t == "Math" and inline.mathtype == "DisplayMath" end
+  local function is_display(inline) return inline.t == "Math" and inline.mathtype == "DisplayMath" end
   if not paragraph.content:find_if(is_display) then return nil end
   local blocks, text, rest = pandoc.List(), pandoc.List(), paragraph.content
   local function flush()
@@ -252,10 +268,9 @@ local function cut_at_formulas(paragraph)
     text = pandoc.List()
   end
   while #rest > 0 do
-    local inline = rest:remove(1)
+    local inline, id, paper = rest:remove(1), nil, nil
     if is_display(inline) then
       flush()
-      local id, paper
       id, paper, rest = take_label(rest)
       blocks:insert(equation(inline, id, paper))
     else
@@ -266,10 +281,14 @@ local function cut_at_formulas(paragraph)
   return blocks
 end
 
--- 4. Figures: the drawing itself, with colours that follow the page ---------------------------------
+-- 5. Figures: the drawing itself, with colours that follow the page ---------------------------------
 
 local style = read(here .. "style.css") or ""
-local drawn = {} -- { name, number } of every figure, in order
+local drawn = {} -- { name, id, drawer } of every figure, in order
+
+local function caption(noun, number, inlines)
+  return pandoc.List({ pandoc.Strong(noun .. " " .. number .. "."), pandoc.Space() }) .. inlines
+end
 
 --- A figure's SVG as part of the page: ids of its own, the page's colours, a text for those who do
 --- not see it. A colour #rrggbb becomes the variable --ink-rrggbb where the style sheet has one.
@@ -304,8 +323,7 @@ local function figure(image)
     complain(image.src, "figure %s is not written as ![...](figures/name.svg){#fig:id}", image.src)
     return nil
   end
-  local number = next_number("fig")
-  define(id, "fig", number)
+  local number = define(id, "fig")
   if alternative == "" then complain("#" .. id, "figure %s has no fig-alt text", id) end
   local function part(path)
     local text = read(path)
@@ -314,72 +332,65 @@ local function figure(image)
   end
   part("figures/" .. name .. ".gp")
   local svg, data = part("build/figures/" .. name .. ".svg"), part("build/data/" .. name .. ".csv")
-  table.insert(drawn, { name = name, number = number, id = id,
-                        drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
+  table.insert(drawn, { name = name, id = id, drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
   local sources = string.format(' <span class="sources"><a href="#script:%s">script</a> '
     .. '<a href="data:text/csv;charset=utf-8,%s" download="%s.csv">data</a></span>',
     name, uri_encoded(data), name)
-  local caption = pandoc.List({ pandoc.Strong("Figure " .. number .. "."), pandoc.Space() })
-  caption:extend(image.caption)
-  caption:insert(pandoc.RawInline("html", sources))
+  local text = caption("Figure", number, image.caption)
+  text:insert(pandoc.RawInline("html", sources))
   return { raw('<figure id="' .. id .. '">\n<div class="drawing">'),
            raw(inline_svg(svg, name, alternative)), raw("</div>\n<figcaption>"),
-           pandoc.Plain(caption), raw("</figcaption>\n</figure>") }
+           pandoc.Plain(text), raw("</figcaption>\n</figure>") }
 end
 
-local function figure_paragraph(paragraph)
+local function figure_alone(paragraph)
   local image = paragraph.content[1]
   if #paragraph.content == 1 and image.t == "Image" then return figure(image) end
 end
 
--- 5. Tables: numbered captions, tables from CSV -----------------------------------------------------
+-- 6. Tables: numbered captions, tables from CSV -----------------------------------------------------
 
-local function framed_table(content, id, caption)
+local function framed_table(content, id, text)
   content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
-  local blocks = { raw('<figure class="table"' .. (id and ' id="' .. id .. '"' or "") .. ">") }
+  local blocks = pandoc.List({ raw(id and '<figure class="table" id="' .. id .. '">' or "<figure>") })
   if id then
-    local number = next_number("tbl")
-    define(id, "tbl", number)
-    local text = pandoc.List({ pandoc.Strong("Table " .. number .. "."), pandoc.Space() })
-    text:extend(caption)
-    for _, block in ipairs({ raw("<figcaption>"), pandoc.Plain(text), raw("</figcaption>") }) do
-      table.insert(blocks, block)
-    end
+    blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
+                    raw("</figcaption>") })
   end
-  for _, block in ipairs({ raw('<div class="scroll">'), content, raw("</div>\n</figure>") }) do
-    table.insert(blocks, block)
-  end
+  blocks:extend({ raw('<div class="scroll">'), content, raw("</div>\n</figure>") })
   return blocks
 end
 
 --- A table of the chapter; `{#tbl:id}` ends its caption.
 local function written_table(content)
-  local caption = utils.blocks_to_inlines(content.caption.long)
-  local id = #caption > 0 and caption[#caption].t == "Str"
-    and caption[#caption].text:match("^{#(tbl:[%w:_.-]+)}$") or nil
-  if id then caption:remove() end
+  local text = utils.blocks_to_inlines(content.caption.long)
+  local last = text[#text]
+  local id = last and last.t == "Str" and last.text:match("^{#(tbl:[%w:_.-]+)}$") or nil
+  if id then text:remove() end
   content.caption = { long = {} }
-  return framed_table(content, id, trimmed(caption))
+  return framed_table(content, id, trimmed(text))
 end
 
-local function csv_rows(text)
-  local rows = {}
-  for line in text:gmatch("([^\r\n]+)") do
-    local row, at = {}, 1
-    repeat
-      local quoted, next_at = line:match('^"(.-)"%f[,\0]()', at)
-      while quoted and select(2, quoted:gsub('"', "")) % 2 == 1 do -- a doubled quote, then a comma
-        local more, further = line:match('^(.-)"%f[,\0]()', next_at)
-        quoted, next_at = quoted .. '"' .. more, further
-      end
-      local cell = quoted and quoted:gsub('""', '"')
-      if not quoted then cell, next_at = line:match("^([^,]*)()", at) end
-      table.insert(row, cell)
-      at = next_at + 1
-    until at > #line + 1
-    table.insert(rows, row)
-  end
-  return rows
+--- The cells of a line of CSV; one in quotes may hold commas, and quotes written twice.
+local function csv_cells(line)
+  local cells, at = pandoc.List(), 1
+  repeat
+    local cell
+    if line:sub(at, at) == '"' then
+      local last = at
+      repeat
+        last = line:find('"', last + 1, true)
+        local doubled = line:sub(last + 1, last + 1) == '"'
+        if doubled then last = last + 1 end
+      until not doubled
+      cell, at = line:sub(at + 1, last - 1):gsub('""', '"'), last + 2
+    else
+      cell = line:match("^[^,]*", at)
+      at = at + #cell + 1
+    end
+    cells:insert(cell)
+  until at > #line + 1
+  return cells
 end
 
 local function generated_table(div)
@@ -390,37 +401,29 @@ local function generated_table(div)
     complain("#" .. id, "table %s needs %s, which is missing", id, path)
     return {}
   end
-  local rows = csv_rows(text)
-  local head, aligns = table.remove(rows, 1), {}
-  if div.attributes.header then
-    local given = {}
-    for name in (div.attributes.header .. "|"):gmatch("%s*(.-)%s*|") do table.insert(given, name) end
-    if #given ~= #head then
-      complain("#" .. id, "table %s: %d headings for %d columns of %s", id, #given, #head, path)
-    end
-    head = given
+  local rows = pandoc.List()
+  for line in text:gmatch("[^\r\n]+") do rows:insert(csv_cells(line)) end
+  local head = rows:remove(1)
+  local function is_numeric(column)
+    return not rows:find_if(function(row) return not tonumber(row[column]) end)
   end
-  for column = 1, #head do
-    local numeric = true
-    for _, row in ipairs(rows) do numeric = numeric and tonumber(row[column]) ~= nil end
-    aligns[column] = numeric and "AlignRight" or "AlignLeft"
+  local aligns, widths = {}, {}
+  for column in ipairs(head) do
+    aligns[column], widths[column] = is_numeric(column) and "AlignRight" or "AlignLeft", 0
   end
-  local function cells(row)
-    return pandoc.List(row):map(function(cell)
-      if tonumber(cell) then return { pandoc.Plain({ pandoc.Str((cell:gsub("^-", "−"))) }) } end
-      return { pandoc.Plain(inlines_of(cell)) }
-    end)
+  local function inlines(cell)
+    local number = tonumber(cell) and { pandoc.Str((cell:gsub("^-", "−"))) }
+    return { pandoc.Plain(number or inlines_of(cell)) }
   end
-  local simple = pandoc.SimpleTable({}, aligns, pandoc.List(head):map(function() return 0 end),
-                                    cells(head), pandoc.List(rows):map(cells))
-  local caption = utils.blocks_to_inlines(div.content)
-  return framed_table(utils.from_simple_table(simple), id, caption)
+  local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
+                                    rows:map(function(row) return row:map(inlines) end))
+  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content))
 end
 
--- 6. Chunks: the program's parts, where each is told ------------------------------------------------
+-- 7. Chunks: the program's parts, where each is told ------------------------------------------------
 
 local pieces = {} -- what the tangler sees, in order
-local chunks = {} -- name -> { name, number, title, file, pieces, users }
+local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 local reference = "^(%s*)<<([%w][%w_:/.%-]*)>>%s*$"
 
 local function collect_chunks()
@@ -428,9 +431,8 @@ local function collect_chunks()
     for _, piece in ipairs(tangle.parse(chapter.name, chapter.text)) do
       local chunk = chunks[piece.id]
       if not chunk then
-        chunk = { name = piece.id, number = next_number("lst"), pieces = {}, users = {} }
+        chunk = { name = piece.id, number = define("lst:" .. piece.id, "lst"), pieces = {}, users = {} }
         chunks[piece.id] = chunk
-        define("lst:" .. piece.id, "lst", chunk.number)
       end
       table.insert(chunk.pieces, piece)
       table.insert(pieces, piece)
@@ -451,8 +453,9 @@ local function collect_chunks()
   end
   stop_on_mistakes()
   for _, chunk in pairs(chunks) do
-    chunk.html = chunk.title and html_of(inlines_of(chunk.title)) or escape(chunk.name)
-    labels["lst:" .. chunk.name].title = chunk.html
+    local title = chunk.title and html_of(inlines_of(chunk.title)) or escape(chunk.name)
+    chunk.html = string.format('⟨%s <span class="chunk-number">%s</span>⟩', title, chunk.number)
+    labels["lst:" .. chunk.name].html = chunk.html
   end
 end
 
@@ -460,21 +463,8 @@ local function anchor(piece)
   return "lst:" .. piece.id .. (piece.part > 1 and ":" .. piece.part or "")
 end
 
---- ⟨Title 12⟩, the mark of a chunk wherever it is spoken of.
-local function mark(chunk)
-  return string.format('⟨%s <span class="chunk-number">%s</span>⟩', chunk.html, chunk.number)
-end
+local function file_link(path) return link("file:" .. path, "<code>" .. path .. "</code>") end
 
-local function link(href, html) return string.format('<a href="#%s">%s</a>', href, html) end
-
-local function referred(id)
-  local label = labels[id]
-  if not label then
-    complain("@" .. id, "unknown reference @%s", id)
-    return escape("@" .. id)
-  end
-  return link(id, nouns[label.kind][1] .. "\u{A0}" .. label.number)
-end
 
 --- The lines of a code as HTML; `@eq:id` in them becomes a link.
 local function highlighted(lines, language)
@@ -486,7 +476,7 @@ local function highlighted(lines, language)
   for line in (html .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
-      return nouns[id:match("^%l+")] and referred(id) or "@" .. id
+      return refers(id) and referred(id) or "@" .. id
     end)))
   end
   return out
@@ -510,7 +500,7 @@ local function piece_code(piece)
       local chunk = chunks[name]
       table.insert(out, string.format(
         '<details class="expand" style="--indent:%d"><summary>%s</summary>\n%s</details>',
-        #space, link(anchor(chunk.pieces[1]), mark(chunk)), chunk_code(chunk)))
+        #space, link(anchor(chunk.pieces[1]), chunk.html), chunk_code(chunk)))
     else
       table.insert(run, html[k])
     end
@@ -529,7 +519,7 @@ end
 local function joined(pieces_using)
   local seen, out = {}, {}
   for _, piece in ipairs(pieces_using) do
-    if not seen[piece.id] then table.insert(out, link(anchor(piece), mark(chunks[piece.id]))) end
+    if not seen[piece.id] then table.insert(out, link(anchor(piece), chunks[piece.id].html)) end
     seen[piece.id] = true
   end
   return table.concat(out, ", ")
@@ -540,13 +530,14 @@ local function where(piece) return string.format("<span>%s:%d</span>", piece.sou
 local function chunk_box(piece)
   local chunk, notes, parts = chunks[piece.id], {}, ""
   if piece.file then
-    table.insert(notes, "file " .. link("file:" .. piece.file, "<code>" .. piece.file .. "</code>"))
+    table.insert(notes, "file " .. file_link(piece.file))
   end
   if #chunk.users > 0 then table.insert(notes, "used in " .. joined(chunk.users)) end
   table.insert(notes, "defined at " .. where(piece))
   if #chunk.pieces > 1 then
     local function step(other, sign, label)
-      return other and string.format(' <a href="#%s" aria-label="%s">%s</a>', anchor(other), label, sign) or ""
+      local html = ' <a href="#%s" aria-label="%s">%s</a>'
+      return other and html:format(anchor(other), label, sign) or ""
     end
     parts = string.format('<span class="part">part %d of %d%s%s</span>', piece.part, #chunk.pieces,
       step(chunk.pieces[piece.part - 1], "↑", "previous part"),
@@ -554,7 +545,7 @@ local function chunk_box(piece)
   end
   return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', anchor(piece), mark(chunk), parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', anchor(piece), chunk.html, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -576,84 +567,7 @@ local function code_block(block)
   return raw('<div class="code listing"><pre><code>' .. html .. "</code></pre></div>")
 end
 
--- 7. Values: the computed numbers -------------------------------------------------------------------
-
-local values
-
-local function read_values()
-  local path, found = "build/data/values.json", {}
-  local text = read(path)
-  if not text then
-    table.insert(mistakes, path .. " is missing")
-    return found
-  end
-  local rest = text:gsub('"([^"\\]*)"%s*:%s*"(.-[^\\])"', function(key, value)
-    found[key] = value:gsub('\\(["\\/])', "%1")
-    return ""
-  end)
-  if not rest:match("^%s*{[%s,]*}%s*$") then
-    table.insert(mistakes, path .. ": not one flat object of strings")
-  end
-  return found
-end
-
-local function value(key, written)
-  values = values or read_values()
-  if not values[key] then complain(written, "unknown value %s", key) end
-  return values[key] or "?"
-end
-
-local function value_in_text(code)
-  if not code.classes:includes("value") then return nil end
-  local text = value(code.text, "`" .. code.text .. "`{.value}")
-  if text:find("[\\^]") then return pandoc.Math("InlineMath", text) end
-  return pandoc.Span((text:gsub("^-", "−")), pandoc.Attr("", { "value" }))
-end
-
-local function value_in_formula(math)
-  math.text = math.text:gsub("\\value{([^}]*)}", function(key)
-    return "{" .. value(key, "\\value{" .. key .. "}") .. "}"
-  end)
-  return math
-end
-
--- 8. References -------------------------------------------------------------------------------------
-
-local function reference_kind(id) return id:match("^(%l+):") end
-
-local function resolve(cite)
-  local ours = cite.citations:filter(function(c) return nouns[reference_kind(c.id)] or c.id:match("^lst:") end)
-  if #ours == 0 then return nil end
-  local known, kind = pandoc.List(), nil
-  local alike = true
-  for _, citation in ipairs(cite.citations) do
-    local label = labels[citation.id]
-    if label then
-      known:insert({ id = citation.id, label = label })
-      kind, alike = kind or label.kind, alike and label.kind == (kind or label.kind)
-    else
-      complain("@" .. citation.id, "unknown reference @%s", citation.id)
-    end
-  end
-  local out = pandoc.List()
-  out:extend(ours[1].prefix)
-  if #ours[1].prefix > 0 then out:insert(pandoc.Space()) end
-  if alike and #known > 1 and nouns[kind] then out:insert(pandoc.Str(nouns[kind][2] .. "\u{A0}")) end
-  for k, item in ipairs(known) do
-    if k > 1 then out:insert(pandoc.Str(k == #known and " and " or ", ")) end
-    local text = item.label.number
-    if item.label.kind == "lst" then
-      out:insert(pandoc.RawInline("html", link(item.id, mark(chunks[item.id:sub(5)]))))
-    else
-      if not alike or #known == 1 then text = nouns[item.label.kind][1] .. "\u{A0}" .. text end
-      out:insert(pandoc.Link(text, "#" .. item.id))
-    end
-  end
-  out:extend(ours[#ours].suffix)
-  return out
-end
-
--- 9. The tests' names, quietly ----------------------------------------------------------------------
+-- 8. The tests' names, quietly ----------------------------------------------------------------------
 
 local function checked_by(paragraph)
   local first = paragraph.content[1]
@@ -662,7 +576,7 @@ local function checked_by(paragraph)
   end
 end
 
--- 10. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
+-- 9. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
 
 local function heading(title, id)
   return pandoc.Header(2, title, pandoc.Attr(id, { "unnumbered" }))
@@ -691,10 +605,12 @@ local function chunk_index()
   local function title(chunk) return (chunk.title or chunk.name):lower() .. "\0" .. chunk.name end
   local out = { '<ul class="index">' }
   for _, chunk in ipairs(sorted(chunks, title)) do
-    local places = pandoc.List(chunk.pieces):map(function(piece) return link(anchor(piece), where(piece)) end)
+    local places = pandoc.List(chunk.pieces):map(function(piece)
+      return link(anchor(piece), where(piece))
+    end)
     table.insert(out, string.format("<li>%s<div><code>%s</code> · defined at %s%s%s</div></li>",
-      link(anchor(chunk.pieces[1]), mark(chunk)), escape(chunk.name), table.concat(places, ", "),
-      chunk.file and " · file " .. link("file:" .. chunk.file, "<code>" .. chunk.file .. "</code>") or "",
+      link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name), table.concat(places, ", "),
+      chunk.file and " · file " .. file_link(chunk.file) or "",
       #chunk.users > 0 and " · used in " .. joined(chunk.users) or ""))
   end
   table.insert(out, "</ul>")
@@ -716,8 +632,8 @@ end
 
 local function listing(id, title, note, lines, language)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
-    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div></details>',
-    id, title, note, table.concat(highlighted(lines, language), "\n")))
+    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
+    .. "</details>", id, title, note, table.concat(highlighted(lines, language), "\n")))
 end
 
 local function file_index()
@@ -727,7 +643,7 @@ local function file_index()
       local lines, from = assemble(chunk, "", {}, {})
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
         table.concat(sorted(from, function(source) return source end), ", "),
-        link(anchor(chunk.pieces[1]), "told at " .. mark(chunk)))
+        link(anchor(chunk.pieces[1]), "told in " .. chunk.html))
       out:insert(listing("file:" .. chunk.file, chunk.file, note, lines, chunk.pieces[1].lang))
     end
   end
@@ -741,9 +657,10 @@ local function script_listings()
     if not text then return end
     local lines = {}
     for line in text:gmatch("(.-)\n") do table.insert(lines, line) end
-    out:insert(listing("script:" .. name, "figures/" .. name .. ".gp", note, lines, nil))
+    -- Pandoc knows no gnuplot; the colours of R fit.
+    out:insert(listing("script:" .. name, "figures/" .. name .. ".gp", note, lines, "r"))
   end
-  for _, item in ipairs(drawn) do script(item.name, link(item.id, "Figure " .. item.number)) end
+  for _, item in ipairs(drawn) do script(item.name, referred(item.id)) end
   script("style", "the style of all figures")
   return out
 end
@@ -779,21 +696,19 @@ end
 
 -- The whole -----------------------------------------------------------------------------------------
 
+local function paragraph(block)
+  return figure_alone(block) or cut_at_formulas(block) or checked_by(block)
+end
+
 function Pandoc(document)
   for _, name in ipairs(PANDOC_STATE.input_files) do
     table.insert(chapters, { name = name, text = read(name) or "" })
   end
   collect_chunks()
-  local blocks = document.blocks
-  blocks = blocks:walk({ Header = number_heading, Table = written_table, Div = generated_table })
-  blocks = blocks:walk({ Para = figure_paragraph })
-  blocks = blocks:walk({ Para = cut_at_formulas })
-  blocks = blocks:walk({ Para = checked_by, CodeBlock = code_block })
-  document.blocks = blocks
-  document = document:walk({ Code = value_in_text, Math = value_in_formula })
-  document = document:walk({ Cite = resolve })
-  document = document:walk({ Inlines = keep_punctuation })
-  document = document:walk({ Math = formula })
+  -- First all that has a number, then all that refers to one.
+  document.blocks = document.blocks:walk({ Header = number_heading, Para = paragraph,
+                                           Table = written_table, Div = generated_table })
+  document = document:walk({ CodeBlock = code_block }):walk(prose)
   add_back_matter(document)
   stop_on_mistakes()
   document.meta.style = raw(style)

@@ -1,0 +1,83 @@
+-- Formulas for the weaver: Pandoc's MathML, mended where browsers draw it otherwise than it is meant.
+-- MathML Core, which they implement, has no mathvariant but on <mi>, no columnalign and no bare
+-- numbers as sizes; it takes a minus for a sum's wherever it is not told; and brackets that may
+-- stretch are set as wide as the widest of their forms. dofile() gives one function: the TeX of a
+-- formula and "InlineMath" or "DisplayMath" to HTML, or nil for a formula that Pandoc cannot read.
+
+local stretching = '()<mo stretchy="true" form="(%l+)">()'
+
+--- Whether something between brackets is taller than a line.
+local function is_tall(html)
+  for _, mark in ipairs({ "<mfrac", "<munder", "<msqrt", "<mtable", "∑", "∫" }) do
+    if html:find(mark, 1, true) then return true end
+  end
+  return false
+end
+
+--- Pairs the stretching brackets; those round something flat stretch no more.
+local function settle_brackets(html)
+  local opened, flat = {}, {}
+  for from, form, to in html:gmatch(stretching) do
+    if form == "prefix" then
+      table.insert(opened, { from = from, to = to })
+    elseif #opened > 0 then
+      local left = table.remove(opened)
+      local settled = not is_tall(html:sub(left.to, from))
+      flat[left.from], flat[from] = settled, settled
+    end
+  end
+  return (html:gsub(stretching, function(from, form)
+    return string.format('<mo stretchy="%s" form="%s">', not flat[from], form)
+  end))
+end
+
+--- Letters that are upright together are one word.
+local function join_words(html)
+  return (html:gsub('<mstyle mathvariant="normal">(.-)</mstyle>', function(inside)
+    return inside:gsub("</mi><mi>", ""):gsub("^<mi>([^<]*)</mi>$", '<mi mathvariant="normal">%1</mi>')
+  end))
+end
+
+--- A function's name keeps a thin distance, but none from a bracket that follows it.
+local function space_names(html)
+  return (html:gsub("<mo>(%a%a+)</mo>(<?m?r?o?w?>?<?m?o?)", function(name, follows)
+    local right = follows == "<mrow><mo" and "0" or "0.167em"
+    return string.format('<mo lspace="0.167em" rspace="%s">%s</mo>%s', right, name, follows)
+  end))
+end
+
+--- \big brackets are a larger type, the bigger ones stretch. A power on one belongs to all that is
+--- in the brackets; alone in the base, the bracket would keep its size.
+local function size_brackets(html)
+  return (html:gsub('minsize="1.2" maxsize="1.2" stretchy="false"', 'mathsize="1.2em" stretchy="false"')
+    :gsub('minsize="([%d.]+)" maxsize="[%d.]+" stretchy="false"',
+          'minsize="%1em" maxsize="%1em" stretchy="true"')
+    :gsub('(<mo minsize="[^>]*prefix">.-)<msup>(<mo minsize="[^>]*postfix">[^<]*</mo>)',
+      function(inside, bracket)
+        local balanced = select(2, inside:gsub("<%a", "")) == select(2, inside:gsub("</", ""))
+        return balanced and "<msup><mrow>" .. inside .. bracket .. "</mrow>" or nil
+      end))
+end
+
+--- A minus with no term before it is a sign.
+local function mark_signs(html)
+  for _, sign in ipairs({ "−", "±", "∓" }) do
+    local marked = '<mo form="prefix">' .. sign .. "</mo>"
+    html = html:gsub("(<mo([^>]*)>[^<]*</mo>)<mo>" .. sign .. "</mo>", function(before, attributes)
+        return not attributes:find("postfix") and before .. marked or nil
+      end)
+      :gsub("(<mspace[^>]*></mspace>)<mo>" .. sign .. "</mo>", "%1" .. marked)
+  end
+  return html
+end
+
+return function(tex, kind)
+  tex = tex:gsub("\\Bigl%f[%A]", "\\Big") -- which alone of its kind Pandoc does not know
+  local html = pandoc.write(pandoc.Pandoc({ pandoc.Plain({ pandoc.Math(kind, tex) }) }), "html5",
+                            { html_math_method = "mathml", wrap_text = "none" })
+  if not html:match("^<math") then return nil end
+  html = mark_signs(size_brackets(space_names(join_words(html))))
+    :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
+    :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
+  return settle_brackets(html)
+end
