@@ -15,7 +15,7 @@
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv; the paragraph in
 --                                                     it is the caption
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
---   `key`{.value}, \value{key} in formulas            a computed number, from build/data/values.json
+--   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
@@ -169,11 +169,24 @@ local function formula(math)
   return pandoc.RawInline("html", html or "")
 end
 
-local function value_in_text(code)
-  if not code.classes:includes("value") then return nil end
-  local text = value(code.text, "`" .. code.text .. "`{.value}")
+local function value_in_text(key, written)
+  local text = value(key, written)
   if text:find("[\\^]") then return formula(pandoc.Math("InlineMath", text)) end
   return pandoc.Str((text:gsub("^-", "−")))
+end
+
+local function code(inline)
+  if inline.classes:includes("value") then
+    return value_in_text(inline.text, "`" .. inline.text .. "`{.value}")
+  end
+end
+
+--- Pandoc would drop all TeX outside of formulas without a word.
+local function raw_inline(inline)
+  if inline.format == "html" then return nil end
+  local key = inline.text:match("^\\value{([^}]*)}$")
+  if key then return value_in_text(key, inline.text) end
+  complain(inline.text, "%s stands outside of a formula", inline.text)
 end
 
 --- A formula and the punctuation behind it stay on one line.
@@ -191,7 +204,8 @@ local function keep_punctuation(inlines)
   return out
 end
 
-local prose = { Cite = resolve, Code = value_in_text, Math = formula, Inlines = keep_punctuation }
+local prose = { Cite = resolve, Code = code, RawInline = raw_inline, Math = formula,
+                Inlines = keep_punctuation }
 
 local function html_of(inlines)
   local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk(prose)) })

@@ -109,6 +109,11 @@ ValuesAreNotStrings() {
   expect_error 'build/data/values.json: not one flat object of strings'
 }
 
+TexOutsideOfFormula() {
+  chapter <<<'It is \nonsense{x} so.'
+  expect_error 'one.md:5: \nonsense{x} stands outside of a formula'
+}
+
 BadFormula() {
   chapter <<<'It is $\nonsense$.'
   expect_error 'one.md:5: this formula cannot be written as MathML: \nonsense'
@@ -202,8 +207,8 @@ END
 
 ValuesAreInjected() {
   echo '{"a": "1.5", "b": "-2", "c": "3\\cdot10^{-4}", "d": "say \"so\""}' >build/data/values.json
-  chapter <<<'It is `a`{.value}, `b`{.value}, `c`{.value}, `d`{.value}, $x = \value{a}$.'
-  expect 'It is 1.5, −2, 3⋅10−4, say "so", x=1.5.'
+  chapter <<<'It is `a`{.value}, `b`{.value}, `c`{.value}, `d`{.value}, \value{a}, $x = \value{a}$.'
+  expect 'It is 1.5, −2, 3⋅10−4, say "so", 1.5, x=1.5.'
 }
 
 TableFromData() {
