@@ -32,8 +32,11 @@ set label "{/:Italic V}" at -3.35, -0.7 center
 set arrow from -3.9, -0.45 to -2.8, -0.45 arrowstyle 1
 set label "{/:Italic V}" at 3.35, -0.7 center
 set arrow from 2.8, -0.45 to 3.9, -0.45 arrowstyle 1
-rim_x(degrees) = (R + 0.25)*cos(degrees*pi/180); rim_y(degrees) = axle + (R + 0.25)*sin(degrees*pi/180)
-do for [k = 15:57:3] { set arrow from rim_x(k), rim_y(k) to rim_x(k + 3), rim_y(k + 3) arrowstyle 4 }
+rim_x(degrees) = (R + 0.25)*cos(degrees*pi/180)
+rim_y(degrees) = axle + (R + 0.25)*sin(degrees*pi/180)
+do for [k = 15:57:3] {
+  set arrow from rim_x(k), rim_y(k) to rim_x(k + 3), rim_y(k + 3) arrowstyle 4
+}
 set arrow from rim_x(60), rim_y(60) to rim_x(64), rim_y(64) arrowstyle 1
 set label '{/:Italic V} / {/:Italic R}' at (R + 0.4)*cos(0.65), axle + (R + 0.4)*sin(0.65)
 

@@ -13,7 +13,9 @@ set label 'downstream' at -5.8, 2.8
 set label 'upstream' at 5.8, 2.8 right
 
 # N1 jumps at its source: two pieces.
-plot data using "zeta":(column("zeta") < 0 ? column("N1") : NaN) with lines linetype 1 title 'N1, downstream', \
-     data using "zeta":(column("zeta") > 0 ? column("N1") : NaN) with lines linetype 1 title 'N1, upstream', \
+plot data using "zeta":(column("zeta") < 0 ? column("N1") : NaN) \
+       with lines linetype 1 title 'N1, downstream', \
+     data using "zeta":(column("zeta") > 0 ? column("N1") : NaN) \
+       with lines linetype 1 title 'N1, upstream', \
      data using "zeta":"N2" with lines linetype 2 title 'N2', \
      data using "zeta":"M" with lines linetype 3 title 'M'

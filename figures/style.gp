@@ -25,7 +25,7 @@ set linetype 1 linecolor rgb blue      linewidth 1.25 dashtype solid
 set linetype 2 linecolor rgb green     linewidth 1.25 dashtype (12,4)
 set linetype 3 linecolor rgb vermilion linewidth 1.25 dashtype (12,4,1,4)
 set linetype 4 linecolor rgb purple    linewidth 1.25 dashtype (4,3)
-set linetype 5 linecolor rgb 'black' linewidth 0.5 pointtype 6 pointsize 0.45
+set linetype 5 linecolor rgb 'black' linewidth 0.5 pointtype 6 pointsize 0.55
 set linetype 6 linecolor rgb 'grey50' linewidth 0.5 dashtype (3,3)
 
 set border 3 linecolor rgb 'black' linewidth 0.4
@@ -54,9 +54,11 @@ row(kind, word, parameter, number, value) = \
 # The published scheme has more nodes than the eye can part: a point is drawn only when it is at
 # least 3.5 % of the plot away from every point drawn before, so that common arcs are not crowded.
 array drawn_x[1000]; array drawn_y[1000]; drawn = 0
-near(x, y, k) = ((x - drawn_x[k])/(x_max - x_min))**2 + ((y - drawn_y[k])/(y_max - y_min))**2 < 0.035**2
+near(x, y, k) = \
+  ((x - drawn_x[k])/(x_max - x_min))**2 + ((y - drawn_y[k])/(y_max - y_min))**2 < 0.035**2
 apart(x, y) = drawn == 0 || (sum [k = 1:drawn] near(x, y, k)) == 0
-thinned(x, y) = y == y && apart(x, y) ? (drawn = drawn + 1, drawn_x[drawn] = x, drawn_y[drawn] = y) : NaN
+thinned(x, y) = y == y && apart(x, y) \
+  ? (drawn = drawn + 1, drawn_x[drawn] = x, drawn_y[drawn] = y) : NaN
 
 # The key says only what a line and what a point is; the curves carry their own labels.
 # (x, y) is its upper left corner in the plot's own unit square.
@@ -66,36 +68,30 @@ key(x, y) = sprintf("set arrow from graph %g, graph %g rto graph 0.05, 0 nohead 
   x, y, x + 0.07, y, x + 0.07, y - 0.075) \
   .sprintf("; set label '' at graph %g, graph %g point linetype 5", x + 0.025, y - 0.075)
 
-# Labels in the right margin, each on a short leader from its curve's end (at x_max, `height`),
-# lifted where they would touch the label below: write_label must be called from the lowest up.
-set_margin_labels = "set rmargin at screen 0.80; below = -1e9"
-gap = 0.062
-lifted(height) = below = height > below + gap*(y_max - y_min) ? height : below + gap*(y_max - y_min)
+# A family of curves: `quantity` (a column of the data) over s, one curve for each of four `values`
+# of a `parameter` (a column, too, written `symbol` in the picture). A script sets these and says
+# `eval label_family`, if it wants the labels in the right margin, and `eval draw_family`.
+number(i) = word(values, i) + 0
+member(method, i) = row("method", method, parameter, number(i), column(quantity))
+label(i) = symbol.' = '.word(values, i)
+draw_family = 'plot for [i = 1:4] data using "s":(member("converged", i)) ' \
+  .'with lines linetype i title label(i).", converged" noenhanced, ' \
+  .'for [i = 1:4] data using "s":(thinned(column("s"), member("printed", i))) ' \
+  .'with points linetype 5 title label(i).", published scheme" noenhanced'
+
+# Each label stands on a short leader from its curve's end, lifted where it would touch the one
+# below; `order` has the indices of the values from the lowest curve up, the last one the symbol.
+level = -1e9
+lifted(height) = level = height > level + gap ? height : level + gap
 margin_label(i, text, height) = sprintf( \
   "set arrow from x_max, %.6g to graph 1.035, first %.6g nohead linetype %d; " \
-  ."set label '%s' at graph 1.045, first %.6g", height, lifted(height), i, text, below)
+  ."set label '%s' at graph 1.045, first %.6g", height, lifted(height), i, text, level)
+label_family = 'set rmargin at screen 0.80; gap = 0.062*(y_max - y_min); do for [k = 1:4] { ' \
+  .'i = int(word(order, k)); ' \
+  .'stats data using (column("s") == x_max ? member("converged", i) : NaN) nooutput; ' \
+  .'eval margin_label(i, k < 4 ? word(values, i) : "{/:Italic ".symbol."} = ".word(values, i), ' \
+  .'STATS_max) }'
 
-# The figures of the surface temperature T*(s), all five alike: one curve for each of four `values`
-# of a `parameter` (the data's column, written `symbol` in the picture); `order` has the indices of
-# the values from the lowest curve up. A script that sets these first has its figure drawn here.
-if (exists("parameter")) {
-  eval range(-1, 3, 0, T_max)
-  eval axes('s', 'T*')
-  eval key(0.53, 0.95)
-  eval set_margin_labels
-  set xtics 1
-  set ytics T_step
-  number(i) = word(values, i) + 0
-  do for [k = 1:4] {
-    i = int(word(order, k))
-    stats data using (column("s") == x_max ? row("method", "converged", parameter, number(i), \
-      column("T")) : NaN) nooutput
-    eval margin_label(i, (k < 4 ? '' : '{/:Italic '.symbol.'} = ').word(values, i), STATS_max)
-  }
-  plot for [i = 1:4] data \
-         using "s":(row("method", "converged", parameter, number(i), column("T"))) \
-         with lines linetype i title symbol.' = '.word(values, i).', converged' noenhanced, \
-       for [i = 1:4] data \
-         using "s":(thinned(column("s"), row("method", "printed", parameter, number(i), column("T")))) \
-         with points linetype 5 title symbol.' = '.word(values, i).', published scheme' noenhanced
-}
+# The figures of the surface temperature are all such families, alike but for what they set before.
+temperature_figure = "quantity = 'T'; eval range(-1, 3, 0, T_max); eval axes('s', 'T*'); " \
+  ."eval key(0.53, 0.95); set xtics 1; set ytics T_step; eval label_family; eval draw_family"

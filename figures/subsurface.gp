@@ -32,7 +32,8 @@ set label '0.006' at 1.5, 0.09 center front textcolor rgb '#ffffff' font ',14'
 # The map is drawn in cells about the grid's points: half a cell more than the grid on each side.
 stats $grid using 1:2 nooutput
 cells_s = STATS_records/(STATS_blank + 1); cells_y = STATS_blank + 1
-half_s = (STATS_max_x - STATS_min_x)/(cells_s - 1)/2; half_y = (STATS_max_y - STATS_min_y)/(cells_y - 1)/2
+half_s = (STATS_max_x - STATS_min_x)/(cells_s - 1)/2
+half_y = (STATS_max_y - STATS_min_y)/(cells_y - 1)/2
 set xrange [STATS_min_x - half_s:STATS_max_x + half_s]
 set yrange [STATS_max_y + half_y:STATS_min_y - half_y]
 eval axes('s', 'y')

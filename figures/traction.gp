@@ -2,6 +2,8 @@
 name = 'traction'
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
+quantity = 'q'
+parameter = 'traction'; symbol = 'Q*'; values = '0.2 0.4 0.5 0.59'
 eval range(-1, 1, 0, 0.4)
 eval axes('s', 'q*')
 eval key(0.38, 0.13)
@@ -11,12 +13,4 @@ set label '{/:Italic Q*} = 0.59' at -0.58, 0.325 right
 set label '0.5' at -0.27, 0.245
 set label '0.4' at 0.11, 0.215
 set label '0.2' at 0.55, 0.14
-
-tractions = '0.2 0.4 0.5 0.59'
-number(i) = word(tractions, i) + 0
-plot for [i = 1:4] data \
-       using "s":(row("method", "converged", "traction", number(i), column("q"))) \
-       with lines linetype i title 'Q* = '.word(tractions, i).', converged' noenhanced, \
-     for [i = 1:4] data \
-       using "s":(thinned(column("s"), row("method", "printed", "traction", number(i), column("q")))) \
-       with points linetype 5 title 'Q* = '.word(tractions, i).', published scheme' noenhanced
+eval draw_family
