@@ -426,8 +426,8 @@ local function generated_table(div)
     aligns[column], widths[column] = is_numeric(column) and "AlignRight" or "AlignLeft", 0
   end
   local function inlines(cell)
-    local number = tonumber(cell) and { pandoc.Str((cell:gsub("^-", "−"))) }
-    return { pandoc.Plain(number or inlines_of(cell)) }
+    local text = (" " .. cell):gsub(" %-(%d)", " −%1"):sub(2) -- a minus, not a hyphen
+    return { pandoc.Plain(tonumber(cell) and { pandoc.Str(text) } or inlines_of(text)) }
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
