@@ -123,7 +123,7 @@ local function resolve(cite)
   for _, citation in ipairs(citations) do
     local label = labels[citation.id] or {}
     kind = kind or label.kind
-    alike = alike and label.kind == kind and not label.html
+    alike = alike and kind and label.kind == kind and not label.html
   end
   if #out > 0 then out:insert(pandoc.Space()) end
   if alike then out:insert(pandoc.Str(nouns[kind][2] .. "\u{A0}")) end
@@ -182,11 +182,16 @@ local function code(inline)
 end
 
 --- Pandoc would drop all TeX outside of formulas without a word.
+local function refuse_tex(element)
+  if element.format ~= "html" then
+    complain(element.text, "%s stands outside of a formula", element.text)
+  end
+end
+
 local function raw_inline(inline)
-  if inline.format == "html" then return nil end
   local key = inline.text:match("^\\value{([^}]*)}$")
   if key then return value_in_text(key, inline.text) end
-  complain(inline.text, "%s stands outside of a formula", inline.text)
+  refuse_tex(inline)
 end
 
 --- A formula and the punctuation behind it stay on one line.
@@ -204,8 +209,8 @@ local function keep_punctuation(inlines)
   return out
 end
 
-local prose = { Cite = resolve, Code = code, RawInline = raw_inline, Math = formula,
-                Inlines = keep_punctuation }
+local prose = { Cite = resolve, Code = code, RawInline = raw_inline, RawBlock = refuse_tex,
+                Math = formula, Inlines = keep_punctuation }
 
 local function html_of(inlines)
   local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk(prose)) })

@@ -160,7 +160,7 @@ END
 }
 
 AllMistakesAtOnce() {
-  chapter <<<'See @eq:first and @eq:second.'
+  chapter <<<'See [@eq:first; @eq:second].'
   expect_error 'one.md:5: unknown reference @eq:first'
   expect_error 'one.md:5: unknown reference @eq:second'
 }
