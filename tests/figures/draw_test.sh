@@ -1,6 +1,7 @@
 # A figure is the same bytes whenever and wherever it is drawn, alone and from its data.
 . tests/common.sh
 
+export LC_ALL=C.UTF-8  # elsewhere gnuplot warns that its output is not in the encoding of the terminal
 project=$PWD
 names=$(ls figures/*.gp | sed 's|.*/||; s|\.gp$||' | grep -vx style)
 
