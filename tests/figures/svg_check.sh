@@ -70,6 +70,9 @@ check_svg() {
   [ "$(query "$file" 'count(//@*[local-name()="href"][not(starts-with(., "#") or starts-with(., "data:"))])')" = 0 ] ||
     wrong "something external" || return
 
+  # What gnuplot puts into a group of colour white would vanish on a light page.
+  [ "$(query "$file" 'count(//*[@color="white"]//*)')" = 0 ] || wrong "something white" || return
+
   local label
   while read -r label; do
     [ "$(query "$file" "count(//*[local-name()='text'][normalize-space(.) = '$label'])")" -gt 0 ] ||

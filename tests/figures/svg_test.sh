@@ -27,5 +27,6 @@ for name in $names; do
   expect_damage_seen "$name" "a coordinate that is none" "0,/ d='M[0-9.]+/s// d='Minf/"
   expect_damage_seen "$name" "label $label" "s/>${label/\*/\\*}</></"
   expect_damage_seen "$name" "something external" "0,/xlink:href='#gpPt5'/s//xlink:href='gpPt5'/"
+  expect_damage_seen "$name" "something white" 's/color="black"/color="white"/'
   expect_damage_seen "$name" "not XML" '40,$d'
 done
