@@ -1,0 +1,544 @@
+#!/usr/bin/env bash
+# command_test.sh CASE PROGRAM: one thing that the program's users rely on, run in the project's
+# folder. The cases are the functions below that begin with a capital.
+source tests/common.sh
+program=$(realpath "$2")
+chapter=$(realpath paper/A-command-line.md)
+cd "$work"
+
+paper_case=(--friction 0.6 --traction 0.5 --peclet 5000 --heating 0.0175)
+steel=(--friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3
+  --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50)
+
+# run ARGUMENT...: leaves the status in $status, the output in `out` and the messages in `err`.
+run() {
+  status=0
+  "$program" "$@" >out 2>err || status=$?
+}
+
+# answers ARGUMENT...: succeeds, and says nothing beside the answer.
+answers() {
+  run "$@"
+  [ $status -eq 0 ] || fail "$* gave status $status: $(cat err)"
+  [ ! -s err ] || fail "$* said: $(cat err)"
+  [ -s out ] || fail "$* answered nothing"
+}
+
+one_line() { # one_line WORDS: exactly one line was said, with these words in it
+  [ "$(wc -l <err)" -eq 1 ] && grep -q '^thermoroll: .' err || fail "not one line: $(cat err)"
+  grep -qF -- "$1" err || fail "said: $(cat err); expected: $1"
+}
+
+# refuses STATUS WORDS ARGUMENT...: this status, one line with these words, no output.
+refuses() {
+  local expected=$1 words=$2
+  shift 2
+  run "$@"
+  [ $status -eq "$expected" ] || fail "$* gave status $status, not $expected: $(cat err)"
+  [ ! -s out ] || fail "$* wrote: $(cat out)"
+  one_line "$words"
+}
+
+# value KEY: what the JSON in `out` has for this key, at its first place.
+value() { sed -n "s/^ *\"$1\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}$/\1/p" out | head -1; }
+
+# near A B TOLERANCE: |A - B| <= TOLERANCE, in double precision.
+near() {
+  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !(d <= t && -d <= t && a != "") }' ||
+    fail "$1 is not $2 within $3"
+}
+
+calculate() { awk "BEGIN { pi = atan2(0, -1); printf \"%.17g\", $1 }"; }
+
+# --- Results --------------------------------------------------------------------------------------
+
+SchemeGivesThePapersTemperature() {
+  answers solve "${paper_case[@]}" --method gauss-chebyshev --nodes 200 --formulation printed --format json
+  near "$(value max_temperature)" 0.001998 5e-7 # all digits of the published value
+  near "$(value load_ratio)" 0.99981 5e-6
+  [ "$(value converged) $(value error_estimate)" = "true null" ] || fail "$(cat out)"
+  cp out explicit
+  answers solve "${paper_case[@]}" --format json
+  cmp out explicit || fail "these are not the defaults"
+}
+
+ClosedFormGivesTheConvergedMaximum() {
+  answers solve "${paper_case[@]}" --method closed-form --format json
+  near "$(value max_temperature)" 0.0020527 5e-8
+  near "$(value stick_slip_border)" "$(calculate '2 * sqrt(1 - 0.5 / 0.6) - 1')" 1e-15
+  near "$(value creep)" "$(calculate '1.2 / pi * (1 - sqrt(1 - 0.5 / 0.6))')" 1e-15
+  [ "$(value nodes) $(value outer_iterations) $(value inner_iterations)" = "null 0 0" ] ||
+    fail "iterations in the closed form: $(cat out)"
+}
+
+JsonHasItsKeysInOrder() {
+  local case="method formulation friction traction peclet heating nodes"
+  local bounded="stick_slip_border creep_constant creep load_ratio gamma0 heat_integral"
+  bounded="$bounded max_temperature max_temperature_at"
+  local end="outer_iterations inner_iterations converged error_estimate"
+  local physical="physical half_width radius creep_ratio hertz_pressure max_pressure max_traction"
+  physical="$physical max_heat_flux max_temperature_celsius"
+  keys() { grep -o '^ *"[a-z0-9_]*":' out | tr -d ' ":' | paste -sd' '; }
+  answers solve "${paper_case[@]}" --format json
+  [ "$(keys)" = "$case $bounded $end" ] || fail "keys: $(keys)"
+  answers solve "${paper_case[@]}" --method closed-form --format json
+  [ "$(keys)" = "$case $bounded $end $bounded" ] || fail "keys: $(keys)"
+  answers solve "${steel[@]}" --half-width 5.5e-3 --format json
+  [ "$(keys)" = "$case $bounded $end $physical" ] || fail "keys: $(keys)"
+}
+
+SecondRunGivesTheSameBytes() {
+  local method format
+  for method in closed-form gauss-chebyshev; do
+    for format in text json csv; do
+      answers solve "${paper_case[@]}" --method $method --format $format
+      mv out first
+      answers solve "${paper_case[@]}" --method $method --format $format
+      cmp first out || fail "$method $format differs"
+    done
+    answers temperature "${paper_case[@]}" --method $method --at -1:3:9
+    mv out first
+    answers temperature "${paper_case[@]}" --method $method --at -1:3:9
+    cmp first out || fail "temperature by $method differs"
+  done
+}
+
+# Header and row of the CSV, turned, are the lines of the JSON without its punctuation.
+CsvSaysWhatJsonSays() {
+  turned() { paste -d' ' <(head -1 out | tr , '\n') <(tail -1 out | tr , '\n'); }
+  local case method
+  for method in closed-form gauss-chebyshev; do
+    answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format json
+    sed -n 's/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  }.*/out/p' out |
+      awk '$1 == "in" { prefix = $2 "."; next } $1 == "out" { prefix = ""; next }
+           { print prefix $1, $2 == "null" ? "" : $2 }' | grep -v '^error_estimate ' >expected
+    answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format csv
+    [ "$(wc -l <out)" -eq 2 ] || fail "$(wc -l <out) lines"
+    head -1 out >header.$method
+    turned | if [ $method = closed-form ]; then cat; else grep -v '^error_estimate'; fi | diff expected - ||
+      fail "CSV and JSON differ for $method"
+  done
+  cmp header.closed-form header.gauss-chebyshev || fail "the columns depend on the method"
+}
+
+TextTellsWhatIsLeftOut() {
+  answers solve "${paper_case[@]}" --method closed-form
+  grep -q 'leaves out what the heat does' out || fail "no remark: $(cat out)"
+  grep -q '^max_temperature  *T\*max  *0.00205266692  *[0-9.e-]*$' out || fail "$(cat out)"
+  answers solve "${paper_case[@]}"
+  ! grep -q 'leaves out' out || fail "a remark for the scheme"
+  answers solve --friction 0.6 --traction 0.5 --peclet 100 --method closed-form
+  ! grep -q 'leaves out' out || fail "a remark without heat"
+  answers solve "${steel[@]}" --half-width 5.5e-3
+  grep -q '^max_pressure  *max p  *1.389[0-9]*e+09  *Pa$' out || fail "$(cat out)"
+}
+
+# --- Data in SI units -----------------------------------------------------------------------------
+
+DimensionalDataGiveTheSameCase() {
+  local method
+  for method in closed-form gauss-chebyshev; do
+    answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format json
+    near "$(value peclet)" "$(calculate '22.2 * 5.5e-3 / 2.8e-5')" 1e-11
+    near "$(value heating)" "$(calculate '2 * 1.1e-5 * 1.3 * 1.4e-5 * 1.2e7 / (5.5e-3 * 50)')" 1e-16
+    sed '/"physical"/,$d' out >without
+    answers solve --friction 0.6 --traction 0.5 --peclet "$(value peclet)" \
+      --heating "$(value heating)" --method $method --format json
+    diff <(tr -d ',' <without) <(sed '$d' out | tr -d ',') || fail "another case: $method"
+  done
+}
+
+# Each from its formula, with 17 digits; a dozen roundings are below 1e-14.
+SiResultsHaveTheirUnits() {
+  answers solve "${steel[@]}" --half-width 5.5e-3 --method closed-form --format json
+  relative() { near "$(calculate "$(value "$1") / ($2)")" 1 1e-14; }
+  local p0='(2 * 1.2e7 / (pi * 5.5e-3))' strain='(1.4 * 1.2e7 / (8.1e10 * 5.5e-3))'
+  relative half_width 5.5e-3
+  relative radius 'pi * 8.1e10 * 5.5e-3^2 / (4 * 0.7 * 1.2e7)'
+  relative hertz_pressure "$p0"
+  relative max_pressure "$p0"
+  relative max_traction "0.6 * $p0"
+  relative creep_ratio "$(value creep) * $strain"
+  relative max_temperature_celsius \
+    "$(value max_temperature) * 0.6 * 22.2 * $strain * 1.2e7 / 50"
+  # v* p* is largest where 4 h u^2 - (3h - 2b) u - b = 0, s = c0 + 2 h u
+  local b h u
+  b=$(calculate 'sqrt(1 - 0.5 / 0.6)') h=$(calculate '1 - sqrt(1 - 0.5 / 0.6)')
+  u=$(calculate "(3*$h - 2*$b + sqrt((3*$h - 2*$b)^2 + 16*$h*$b)) / (8*$h)")
+  local flux="8 * 0.6 / pi^2 * ($b + $h * $u) * 2 * $h * sqrt($u * (1 - $u))"
+  relative max_heat_flux "$flux * 0.6 * 22.2 * $strain * 1.2e7 / 5.5e-3"
+}
+
+# A radius and the half-width found for it are the same case.
+RadiusAgreesWithHalfWidth() {
+  local method radius
+  for method in closed-form gauss-chebyshev; do
+    answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format json
+    cp out by-half-width
+    radius=$(value radius)
+    answers solve "${steel[@]}" --radius "$radius" --method $method --format json
+    near "$(calculate "$(value half_width) / 5.5e-3")" 1 1e-9 # the fixed point's tolerance
+    near "$(calculate "$(value radius) / $radius")" 1 1e-9
+    near "$(value max_temperature)" "$(sed -n 's/.*"max_temperature": \(.*\),/\1/p' by-half-width)" 1e-11
+  done
+}
+
+MixedData() {
+  refuses 2 "--peclet and --heating exclude data in SI units; given: --load" \
+    solve "${paper_case[@]}" --load 1.2e7
+  refuses 2 "exclude data in SI units" solve "${steel[@]}" --half-width 5.5e-3 --heating 0
+  refuses 2 "either --half-width or --radius" solve "${steel[@]}" --half-width 5.5e-3 --radius 0.3
+}
+
+IncompleteData() {
+  refuses 2 "--friction is required" solve --traction 0.5 --peclet 100
+  refuses 2 "--traction is required" solve --friction 0.6 --peclet 100
+  refuses 2 "--peclet is missing" solve --friction 0.6 --traction 0.5
+  refuses 2 "--at is required" temperature "${paper_case[@]}"
+  refuses 2 "either --half-width or --radius" solve "${steel[@]}"
+  refuses 2 "lack --speed --shear-modulus --poisson --expansion --diffusivity --conductivity" \
+    solve --friction 0.6 --traction 0.5 --load 1.2e7 --half-width 5.5e-3
+  refuses 2 "data in SI units lack --load" solve --friction 0.6 --traction 0.5 --radius 0.3
+}
+
+# --- Temperature ----------------------------------------------------------------------------------
+
+TemperatureColumns() {
+  answers temperature "${paper_case[@]}" --at 0.5
+  [ "$(head -1 out)" = s,temperature,error_estimate ] || fail "$(head -1 out)"
+  tail -1 out | grep -qx '0.5,0.001[0-9]*,[0-9.]*e-[0-9]*' || fail "$(cat out)"
+  answers temperature "${paper_case[@]}" --at 0.5 --method gauss-chebyshev
+  tail -1 out | grep -qx '0.5,0.001[0-9]*,' || fail "$(cat out)"
+  answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5
+  [ "$(head -1 out)" = s,temperature,temperature_celsius,error_estimate ] || fail "$(head -1 out)"
+  awk -F, 'END { t = $2 * 0.6 * 22.2 * 1.4 * 1.2e7^2 / (8.1e10 * 5.5e-3 * 50)
+                 exit !($3 / t - 1 < 1e-14 && 1 - $3 / t < 1e-14) }' out || fail "$(cat out)"
+}
+
+TemperatureGrid() {
+  answers temperature "${paper_case[@]}" --at -1:3:401
+  [ "$(wc -l <out)" -eq 402 ] || fail "$(wc -l <out) lines"
+  tail -n +2 out | cut -d, -f1 | diff <(seq -1 0.01 3 | sed 's/\.0*$//; s/\(\.[0-9]*[1-9]\)0*$/\1/; s/^-0$/0/') - ||
+    fail "the points are not the decimals"
+  answers temperature "${paper_case[@]}" --at 1,-1,0.25
+  [ "$(cut -d, -f1 out | paste -sd' ')" = "s 1 -1 0.25" ] || fail "$(cat out)"
+}
+
+BadPoints() {
+  local at
+  for at in foo 0:1 0:1:1 0:1:1.5 0:1:1000001 0:1:1e99 0:1:2: 0:1:2:3 :: 0::2 0:nan:2 inf:1:2 1, ,1 "" nan; do
+    refuses 2 "at = $at is not allowed: it must be A:B:N" temperature "${paper_case[@]}" --at "$at"
+  done
+}
+
+# The curve touches the maximum at its place and is nowhere above it.
+TemperatureIsAsTheMaximumSays() {
+  answers solve "${paper_case[@]}" --method closed-form --format json
+  local top at
+  top=$(value max_temperature) at=$(value max_temperature_at)
+  answers temperature "${paper_case[@]}" --at "$at"
+  near "$(tail -1 out | cut -d, -f2)" "$top" 1e-14
+  answers temperature "${paper_case[@]}" --at 0.80:0.91:45
+  awk -F, -v top="$top" 'NR > 1 && $2 > top { exit 1 }' out || fail "above the maximum: $(cat out)"
+}
+
+TemperatureBelowTheSurface() {
+  answers temperature "${paper_case[@]}" --at 0:2:5
+  cp out surface
+  answers temperature "${paper_case[@]}" --at 0:2:5 --depth 0
+  cmp out surface || fail "depth 0 is not the surface"
+  answers temperature "${paper_case[@]}" --at 0:2:5 --depth 0.01
+  paste -d, surface out | awk -F, 'NR > 1 && !($5 > 0 && $5 < $2) { exit 1 }' ||
+    fail "not colder below the surface: $(cat out)"
+  refuses 2 "depth = 0.1 is not allowed" temperature "${paper_case[@]}" --at 0 --depth 0.1 \
+    --method gauss-chebyshev
+  refuses 2 "depth = -1 is not allowed" temperature "${paper_case[@]}" --at 0 --depth -1
+}
+
+# With three nodes the middle one is 0 and hot. At it the sum is finite, without its share; a
+# little beside it, it is larger, by the logarithm in that share.
+TemperatureMeetsNodes() {
+  answers temperature --friction 0.6 --traction 0.5 --peclet 1 --nodes 3 --method gauss-chebyshev \
+    --at 0,1e-8
+  awk -F, 'NR == 2 { without = $2 } NR == 3 { exit !(without > 0 && $2 > 2 * without) }' out ||
+    fail "$(cat out)"
+}
+
+# --- Case files -----------------------------------------------------------------------------------
+
+# The chapter's own file, as wheel.toml.
+write_wheel() {
+  awk '/^``` toml$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$chapter" >wheel.toml
+  grep -q '^load = ' wheel.toml || fail "the chapter has no case file"
+}
+
+CaseFile() {
+  write_wheel
+  answers solve "${steel[@]}" --half-width 5.5e-3 --format json
+  cp out by-options
+  answers solve --config wheel.toml --format json
+  cmp out by-options || fail "the file is another case"
+  answers --config wheel.toml solve --format json
+  cmp out by-options || fail "--config before the subcommand is another case"
+  sed 's/#/;/; s/ *=/=/' wheel.toml >wheel.ini
+  sed -i 's/ *;.*//' wheel.ini
+  answers solve --config wheel.ini --format json
+  cmp out by-options || fail "the INI file is another case"
+  { echo '[temperature]'; echo 'at = 0.5'; echo '[solve]'; echo 'format = "json"'; cat wheel.toml; } >both.toml
+  answers solve --config both.toml
+  cmp out by-options || fail "the section is another case"
+  sed -i 's/= 0.6/= 0.7/' wheel.toml
+  answers solve --config wheel.toml --format json --friction 0.6
+  cmp out by-options || fail "the option does not take precedence"
+  answers temperature --config wheel.toml --at 0.5
+}
+
+BadCaseFiles() {
+  local case=$'friction = 0.6\ntraction = 0.5\n'
+  bad() { # bad WORDS TEXT
+    printf '%s%s\n' "$case" "$2" >bad.toml
+    refuses 2 "$1" solve --config bad.toml --output written
+    [ ! -e written ] || fail "a file was written"
+  }
+  bad "solve.pecle" 'pecle = 100'
+  bad "solve.peclet 100" 'peclet 100'
+  bad "solve.at" $'peclet = 100\nat = 0.5'
+  bad "nowhere.peclet" $'[nowhere]\npeclet = 100'
+  bad "help" $'peclet = 100\nhelp = true'
+  bad "peclet = abc is not allowed: it must be a finite number" 'peclet = abc'
+  bad "peclet = nan is not allowed: it must be a finite number" 'peclet = nan'
+  bad "peclet =  is not allowed" 'peclet = '
+  bad "peclet = -1 is not allowed" 'peclet = -1'
+  bad "gives friction twice" $'peclet = 100\nfriction = 0.6'
+  bad "--peclet needs exactly one value" 'peclet = [100, 200]'
+  refuses 2 "cannot read the case file nowhere.toml" solve --config nowhere.toml
+  refuses 2 "cannot read the case file ." solve --config .
+  refuses 2 "--config needs exactly one value" solve "${paper_case[@]}" --config
+}
+
+# --- Refusals -------------------------------------------------------------------------------------
+
+BadNumbers() {
+  local text
+  for text in nan -nan NaN inf -inf infinity 1e400 abc 0x 1e3abc 1,5 "" "1 2" $'1\n2' --; do
+    refuses 2 "is not allowed: it must be a finite number" \
+      solve --friction 0.6 --traction 0.5 --peclet "$text" --heating 0
+    refuses 2 "is not allowed: it must be a finite number" \
+      temperature --friction 0.6 --traction "$text" --peclet 100 --at 0
+  done
+  refuses 2 "peclet = abc is not allowed" solve --friction 0.6 --traction 0.5 --peclet abc
+  for text in 2.5 1e3 0200 abc 99999999999 "" 0x20; do
+    refuses 2 "nodes = $text is not allowed: it must be a whole number" \
+      solve "${paper_case[@]}" --nodes "$text"
+  done
+  for text in -1 0 2 5001; do
+    refuses 2 "nodes = $text is not allowed: it must be from 3 to 5000" \
+      solve "${paper_case[@]}" --nodes "$text"
+  done
+}
+
+BadScenes() {
+  local case
+  while read -r case; do
+    # shellcheck disable=SC2086
+    refuses 2 "is not allowed: it must be " solve $case
+    # shellcheck disable=SC2086
+    refuses 2 "is not allowed: it must be " solve $case --method closed-form
+  done <<'END'
+--friction 0 --traction 0.5 --peclet 100
+--friction -0.6 --traction -0.7 --peclet 100
+--friction 0.6 --traction 0.6 --peclet 100
+--friction 0.6 --traction 0.7 --peclet 100
+--friction 0.6 --traction 0 --peclet 100
+--friction 0.6 --traction -0.1 --peclet 100
+--friction 0.6 --traction 0.5 --peclet 0
+--friction 0.6 --traction 0.5 --peclet -100
+--friction 0.6 --traction 0.5 --peclet 100 --heating -1
+END
+  refuses 2 "traction = 0.7 is not allowed: it must be above 0 and below the friction, 0.6" \
+    solve --friction 0.6 --traction 0.7 --peclet 100
+}
+
+# Each of the data in SI units in turn.
+BadSiData() {
+  local -A good=([load]=1.2e7 [speed]=22.2 [shear-modulus]=8.1e10 [poisson]=0.3 [expansion]=1.1e-5
+    [diffusivity]=1.4e-5 [conductivity]=50)
+  local bad name size arguments
+  for bad in "${!good[@]}"; do
+    for size in half-width radius; do
+      arguments=(--friction 0.6 --traction 0.5 --$size 0.01)
+      for name in "${!good[@]}"; do
+        if [ "$name" = "$bad" ]; then arguments+=(--"$name" -1); else arguments+=(--"$name" "${good[$name]}"); fi
+      done
+      refuses 2 "$bad = -1 is not allowed" solve "${arguments[@]}"
+    done
+  done
+  refuses 2 "half-width = 0 is not allowed" solve "${steel[@]}" --half-width 0
+  refuses 2 "radius = -0.3 is not allowed" solve "${steel[@]}" --radius -0.3
+}
+
+BadWords() {
+  refuses 2 "method = newton is not allowed: it must be closed-form or gauss-chebyshev" \
+    solve "${paper_case[@]}" --method newton
+  refuses 2 "formulation = other is not allowed: it must be printed or corrected" \
+    solve "${paper_case[@]}" --formulation other
+  refuses 2 "format = xml is not allowed: it must be text or json or csv" \
+    solve "${paper_case[@]}" --format xml
+  refuses 2 "format = xml is not allowed" claims --format xml
+}
+
+BadUsage() {
+  refuses 2 "A subcommand is required (see --help)"
+  refuses 2 "unexpected sovle (see --help)" sovle "${paper_case[@]}"
+  refuses 2 "unexpected --fricton (see --help)" solve --fricton 0.6
+  refuses 2 "unexpected --at (see --help)" solve "${paper_case[@]}" --at 0
+  refuses 2 "unexpected 7 (see --help)" solve "${paper_case[@]}" 7
+  refuses 2 "unexpected temperature (see --help)" solve "${paper_case[@]}" temperature
+  refuses 2 "--friction needs exactly one value" solve "${paper_case[@]}" --friction 0.5
+  refuses 2 "--peclet needs exactly one value" solve --friction 0.6 --traction 0.5 --peclet
+  refuses 2 "either a NAME or --list" figure-data
+  refuses 2 "either a NAME or --list" figure-data --list traction
+}
+
+# A limit cycle of the published scheme: the last iterate is told, and that it is one.
+NotConverged() {
+  run solve --friction 0.6 --traction 0.5 --peclet 100 --heating 4 --nodes 20 --format json
+  [ $status -eq 3 ] || fail "status $status"
+  one_line "did not converge"
+  [ "$(value converged)" = false ] || fail "$(cat out)"
+  ! grep -qi 'nan\|inf' out || fail "not finite: $(cat out)"
+  # Pe H overflows: there is nothing to tell
+  refuses 3 "no finite result" solve --friction 0.6 --traction 0.5 --peclet 1e200 --heating 1e200 \
+    --nodes 20 --format json
+}
+
+# --- Output ---------------------------------------------------------------------------------------
+
+OutputFileIsReplacedAsAWhole() {
+  answers solve "${paper_case[@]}" --format json
+  cp out expected
+  echo old >file
+  ln -s file link
+  run solve "${paper_case[@]}" --format json --output link
+  [ $status -eq 0 ] && [ ! -s out ] && [ ! -s err ] || fail "status $status: $(cat out err)"
+  cmp file expected || fail "another answer in the file"
+  [ -L link ] || fail "the link was replaced"
+  refuses 2 "is not allowed" solve --friction 0.6 --traction 0.6 --peclet 1 --output file
+  cmp file expected || fail "a refusal changed the file"
+  run solve "${paper_case[@]}" --format json --output /dev/stdout
+  cmp out expected || fail "not written to a device"
+  run solve "${paper_case[@]}" --output /dev/null
+  [ -c /dev/null ] || fail "/dev/null was replaced"
+  [ "$(ls)" = "$(printf '%s\n' err expected file link out)" ] || fail "left behind: $(ls)"
+}
+
+UnwritableOutput() {
+  refuses 1 "cannot write nowhere/file: No such file or directory" \
+    solve "${paper_case[@]}" --output nowhere/file
+  refuses 1 "cannot write .: Is a directory" solve "${paper_case[@]}" --output .
+  refuses 1 "cannot write /dev/full: No space left on device" \
+    temperature "${paper_case[@]}" --at 0 --output /dev/full
+  refuses 1 "cannot write nowhere/file" figure-data kernels --output nowhere/file
+  mkdir blocked.tmp # where the new file would be written aside
+  echo old >blocked
+  refuses 1 "cannot write blocked" solve "${paper_case[@]}" --output blocked
+  [ "$(cat blocked)" = old ] || fail "the old file was changed"
+}
+
+FullDevice() {
+  local arguments
+  for arguments in --help --version "solve --help" "figure-data --list" "figure-data kernels" \
+    "solve ${paper_case[*]}" "temperature ${paper_case[*]} --at 0"; do
+    status=0
+    # shellcheck disable=SC2086
+    "$program" $arguments >/dev/full 2>err || status=$?
+    [ $status -eq 1 ] || fail "$arguments gave status $status"
+    one_line "cannot write to standard output: No space left on device"
+  done
+}
+
+ClosedPipe() {
+  set +o pipefail
+  { sleep 0.3; status=0; "$program" solve "${paper_case[@]}" 2>err || status=$?; echo $status >status; } | true
+  [ "$(cat status)" = 1 ] || fail "status $(cat status)"
+  one_line "cannot write to standard output: Broken pipe"
+  status=0
+  "$program" solve "${paper_case[@]}" 2>err >&- || status=$?
+  [ $status -eq 1 ] || fail "status $status with standard output closed"
+  one_line "cannot write to standard output"
+}
+
+VerboseTellsTheTime() {
+  answers solve "${paper_case[@]}"
+  cp out expected
+  run solve "${paper_case[@]}" --verbose
+  cmp out expected || fail "the time is part of the answer"
+  grep -qx 'thermoroll: [0-9.e-]* s' err || fail "said: $(cat err)"
+}
+
+# --- The other subcommands ------------------------------------------------------------------------
+
+FigureData() {
+  answers figure-data --list
+  grep -qx kernels out && grep -qx values out || fail "$(cat out)"
+  answers figure-data kernels
+  cp out expected
+  run figure-data kernels --output file
+  cmp file expected || fail "file and standard output differ"
+  refuses 2 "NAME = kernel is not allowed: it must be one of geometry, kernels" figure-data kernel
+  refuses 2 "NAME = ../kernels is not allowed" figure-data ../kernels
+}
+
+ClaimsInThreeFormats() {
+  answers claims
+  head -1 out | grep -q '^claim  *paper  *printed  *converged  *verdict$' || fail "$(head -1 out)"
+  local rows=$(($(wc -l <out) - 1))
+  [ $rows -ge 10 ] || fail "$rows claims"
+  answers claims --format json
+  [ "$(grep -c '"claim": ' out)" -eq $rows ] || fail "the JSON has other rows"
+  [ "$(grep -o '"[a-z]*": ' out | head -5 | tr -d '": ' | paste -sd' ')" = \
+    "claim paper printed converged verdict" ] || fail "keys: $(head -8 out)"
+  answers claims --format csv
+  [ "$(wc -l <out)" -eq $((rows + 1)) ] || fail "the CSV has other rows"
+  # every row has five cells, commas within quotes not counted
+  sed 's/"[^"]*"//g' out | awk -F, 'NF != 5 { exit 1 }' || fail "$(cat out)"
+}
+
+Version() {
+  answers --version
+  grep -qx 'thermoroll [0-9]*\.[0-9]*\.[0-9]*' out || fail "$(cat out)"
+}
+
+Help() {
+  local command
+  for command in "" solve temperature figure-data claims; do
+    # shellcheck disable=SC2086
+    answers $command --help
+    grep -q '^Examples:$' out || fail "no examples: $command"
+  done
+  answers --help
+  grep -q '^Exit status: 0 done; 1 ' out || fail "no exit status: $(cat out)"
+  answers solve --help
+  grep -q 'is not counted' out || fail "does not say what the errors are: $(cat out)"
+}
+
+# Every example of every --help, just as it stands there.
+ExamplesRun() {
+  write_wheel
+  mkdir bin
+  ln -s "$program" bin/thermoroll
+  local command count=0 example
+  for command in "" solve temperature figure-data claims; do
+    # shellcheck disable=SC2086
+    answers $command --help
+    sed -n '/^Examples:/,/^$/p' out | sed -e :a -e '/\\$/N; s/\\\n *//; ta' | sed -n 's/^  //p' >examples
+    while IFS= read -r example; do
+      PATH="$PWD/bin:$PATH" bash -c "$example" >/dev/null 2>err || fail "$example: $(cat err)"
+      [ ! -s err ] || fail "$example said: $(cat err)"
+      count=$((count + 1))
+    done <examples
+  done
+  [ $count -ge 12 ] || fail "only $count examples found"
+}
+
+"$1"
