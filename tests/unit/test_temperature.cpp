@@ -353,7 +353,7 @@ TEST(Temperature, ConservesHeat) {
       // In panels up to the depth where the slowest part, e^(-Pe (r - x)) over a length x, is
       // e^-50.
       const Real reach = s - flux.from, deep = 50 / static_cast<Real>(peclet);
-      const Real bottom = std::max(deep, std::sqrt(deep * (deep + 2 * std::max<Real>(reach, 0))));
+      const Real bottom = std::max(deep, std::sqrt(deep * (deep + 2 * std::abs(reach))));
       Real stored = 0, from = 0;
       for (const Real part : {0.002L, 0.02L, 0.1L, 0.3L, 1.0L}) {
         const Real to = part * bottom;
