@@ -44,8 +44,9 @@ Estimate integrate(const Function& f, const std::vector<double>& points) {
   Estimate sum{0, 0};
   for (std::size_t i = 1; i < points.size(); ++i) {
     Estimate panel{};
-    gsl_integration_qags(&function, points[i - 1], points[i], 0, target, intervals, space.get(),
-                         &panel.value, &panel.error);
+    const int status = gsl_integration_qags(&function, points[i - 1], points[i], 0, target,
+                                            intervals, space.get(), &panel.value, &panel.error);
+    if (status == GSL_EDIVERGE) panel.error += std::abs(panel.value);
     sum.value += panel.value;
     sum.error += panel.error + rounding * std::abs(panel.value);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "kernels.hpp"
 #include "scene.hpp"
@@ -10,15 +11,15 @@
 namespace thermoroll {
 
 namespace {
-/// Ends of the heated zone [start, end] in z = t - s, its point nearest to z = 0, and the layers
-/// about that point that are 1/Pe, the depth, and multiples of 16 of them wide.
-std::vector<double> difficult_points(double start, double end, double peclet, double depth) {
-  const double nearest = std::clamp(0.0, start, end);
-  std::vector<double> points{start, nearest, end};
-  for (double width : {1 / peclet, depth})
+/// The ends of the heated zone, start <= 0 <= end, the point 0 between them, and multiples of 16
+/// of the given widths to both sides of it, unless an end is about as near.
+std::vector<double> difficult_points(double start, double end,
+                                     std::initializer_list<double> widths) {
+  std::vector<double> points{start, 0, end};
+  for (double width : widths)
     for (; width > 0 && width < end - start; width *= 16)
-      for (double z : {nearest - width, nearest + width})
-        if (start + width / 4 < z && z < end - width / 4) points.push_back(z);
+      for (const double u : {-width, width})
+        if (start + width / 4 < u && u < end - width / 4) points.push_back(u);
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
@@ -29,11 +30,13 @@ Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth
   require(peclet > 0, "peclet", peclet, "positive");
   require(true, "s", s, "finite");
   require(depth >= 0, "depth", depth, "zero or positive");
-  const double start = flux.from - s, end = flux.to - s;
-  const auto heating = [&](double z) {
-    return kernel::M(peclet * z, peclet * depth) * flux.density(z - start, end - z) / pi;
+  const double nearest = std::clamp(s, flux.from, flux.to), gap = nearest - s;
+  const double start = flux.from - nearest, end = flux.to - nearest;
+  const auto heating = [&](double u) {
+    return kernel::M(peclet * (gap + u), peclet * depth) * flux.density(u - start, end - u) / pi;
   };
-  return integrate(heating, difficult_points(start, end, peclet, depth));
+  return integrate(heating,
+                   difficult_points(start, end, {1 / peclet, depth, std::abs(gap), -start, end}));
 }
 
 Estimate total_heat(const HeatFlux& flux) {
