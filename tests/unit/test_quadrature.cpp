@@ -56,6 +56,9 @@ TEST(Quadrature, RefusesWhatItCannotResolve) {
   EXPECT_THROW(integrate([](double x) { return std::sin(1 / (x * x)) / x; }, {1e-4, 1}),
                std::runtime_error)
       << "1e8 oscillations";
+  // What is left of the noise, 1e-7, is well above the promise of 1e-9 and well below the value.
+  EXPECT_THROW(integrate([](double x) { return 1 + 1e-7 * std::sin(1e9 * x * x); }, whole),
+               std::runtime_error);
   try {
     integrate([](double x) { return 1 / (x * x); }, {0, 0.25});
     ADD_FAILURE() << "accepted";
