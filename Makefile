@@ -139,10 +139,11 @@ build/tangle.stamp: paper/tangle.lua $(chapters) | build
 	@pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null $(chapters)
 	@touch $@
 
-build/release/Makefile: | build/tangle.stamp
+build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 	@$(apart) cmake --preset release >build/configure.log || { cat build/configure.log; exit 1; }
+	@touch $@
 
-build/built: build/tangle.stamp CMakeLists.txt CMakePresets.json $(sources) | build/release/Makefile
+build/built: build/tangle.stamp build/release/Makefile $(sources)
 	$(call step,compiling the program)
 	@$(compile) build/release --target thermoroll-cli
 	@ln -sf release/thermoroll build/thermoroll
