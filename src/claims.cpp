@@ -1,4 +1,4 @@
-// Tangled from paper/08-results.md; edit there.
+// Tangled from paper/11-results.md; edit there.
 #include "claims.hpp"
 
 #include <algorithm>

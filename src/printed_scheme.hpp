@@ -1,4 +1,4 @@
-// Tangled from paper/06-printed-scheme.md; edit there.
+// Tangled from paper/07-printed-scheme.md; edit there.
 #pragma once
 
 #include <Eigen/Core>
