@@ -211,12 +211,15 @@ asan: | build
 	@$(compile) build/asan-ubsan --target unit-tests
 	@$(ctest) --test-dir build/asan-ubsan -L unit
 
-## coverage: the share of each chapter's code that the unit tests run
+## coverage: the share of each chapter's code that the tests and the data run
 coverage: | build
 	$(call build_preset,coverage)
-	@$(compile) build/coverage --target unit-tests
+	@$(compile) build/coverage --target unit-tests thermoroll-cli
 	@find build/coverage -name '*.gcda' -delete
-	@$(ctest) --test-dir build/coverage -L unit >build/coverage.log || { cat build/coverage.log; exit 1; }
+	@$(ctest) --test-dir build/coverage -L 'unit|command' >build/coverage.log || \
+	  { cat build/coverage.log; exit 1; }
+	@for name in $$(build/coverage/thermoroll figure-data --list); do \
+	  build/coverage/thermoroll figure-data $$name --output build/coverage/data || exit 1; done
 	@sh tests/coverage.sh build/coverage
 
 ## bench: how long the solvers take
