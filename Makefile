@@ -104,15 +104,14 @@ export CTEST_PARALLEL_LEVEL ?= $(CMAKE_BUILD_PARALLEL_LEVEL)
 apart := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u THERMOROLL_STARTED
 compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
+configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all setup data figures report reproduce test bench golden pdf coverage debug asan install \
-  clean help FORCE
+.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
 
 ## setup: install the Debian packages that the goals named beside it need
-setup:
 
 ## reproduce: everything: program, data, figures, report, and the table of claims
 reproduce: build/data/claims.txt build/report.html
@@ -140,7 +139,7 @@ build/tangle.stamp: paper/tangle.lua $(chapters) | build
 	@touch $@
 
 build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
-	@$(apart) cmake --preset release >build/configure.log || { cat build/configure.log; exit 1; }
+	$(call configure,release)
 	@touch $@
 
 build/built: build/tangle.stamp build/release/Makefile $(sources)
@@ -179,17 +178,18 @@ build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css p
 
 # --- Tests and checks -----------------------------------------------------------------------------
 
-# The tests and the benchmarks are switched on, once, in the tree that has the program.
+# The tests and the benchmarks are switched on in the tree that has the program, before it is
+# compiled and one after the other.
+with = $(addprefix build/release/with-,$(filter $1,$(MAKECMDGOALS)))
+build/built: | $(call with,test bench)
+build/release/with-bench: | $(call with,test)
+bench: | $(filter test,$(MAKECMDGOALS))
+
+build/release/with-test: option := THERMOROLL_TESTS
+build/release/with-bench: option := THERMOROLL_BENCH
 build/release/with-%: | build/release/Makefile
-	@cmake -DTHERMOROLL_$(if $(filter tests,$*),TESTS,BENCH)=ON build/release >build/configure.log \
-	  || { cat build/configure.log; exit 1; }
+	@$(apart) cmake -D$(option)=ON build/release >build/release.log || { cat build/release.log; exit 1; }
 	@touch $@
-ifneq ($(filter test,$(MAKECMDGOALS)),)
-build/built: | build/release/with-tests
-endif
-ifneq ($(filter bench,$(MAKECMDGOALS)),)
-build/built: | build/release/with-bench
-endif
 
 ## test: every test, through CTest
 test: build/data/claims.txt build/report.html
@@ -198,22 +198,21 @@ test: build/data/claims.txt build/report.html
 	@$(ctest) --test-dir build/release
 
 # These builds compile their own tangled copy, with #line.
-build_preset = @$(apart) cmake --preset $1 >build/configure.log || { cat build/configure.log; exit 1; }
 
 ## debug: build/debug, where errors and the debugger name the chapter
 debug: | build
-	$(call build_preset,debug)
+	$(call configure,debug)
 	@$(compile) build/debug
 
 ## asan: the unit tests under the address and undefined-behaviour sanitizers
 asan: | build
-	$(call build_preset,asan-ubsan)
+	$(call configure,asan-ubsan)
 	@$(compile) build/asan-ubsan --target unit-tests
 	@$(ctest) --test-dir build/asan-ubsan -L unit
 
 ## coverage: the share of each chapter's code that the tests and the data run
 coverage: | build
-	$(call build_preset,coverage)
+	$(call configure,coverage)
 	@$(compile) build/coverage --target unit-tests thermoroll-cli
 	@find build/coverage -name '*.gcda' -delete
 	@$(ctest) --test-dir build/coverage -L 'unit|command' >build/coverage.log || \
@@ -254,6 +253,9 @@ PREFIX ?= /usr/local
 install: build/thermoroll
 	@cmake --install build/release --prefix "$(PREFIX)"
 
+ifneq ($(filter clean,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
 ## clean: remove build/
 clean:
 	@rm -rf build
