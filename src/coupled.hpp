@@ -1,0 +1,63 @@
+// Tangled from paper/10-coupled-solver.md; edit there.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "heat_flux.hpp"
+#include "kernels.hpp"
+#include "scene.hpp"
+
+namespace thermoroll {
+
+/// The results of a coupled solution, in this order. Dimensionless.
+enum Quantity {
+  border,          ///< c0
+  traction,        ///< Q*
+  creep_constant,  ///< C of @eq:stick-conditions
+  creep,           ///< xi* = C - f gamma0
+  load_ratio,      ///< kappa
+  gamma0,          ///< gamma0 of @eq:pressure-conditions
+  heat,            ///< the integral of v* p*
+  hottest,         ///< the largest T*
+  hottest_at,      ///< where it is
+  quantities       ///< how many they are
+};
+using Values = Eigen::Array<double, quantities, 1>;
+
+/// What is prescribed beside f, Pe and H: traction, creep or border, and its value.
+struct Given {
+  Quantity quantity;
+  double value;
+};
+
+/// A solution of the coupled problem; dimensionless.
+struct CoupledSolution {
+  Values value;             ///< by Quantity
+  Values error;             ///< estimated absolute errors
+  int unknowns = 0;         ///< n, values of h on the last grid
+  int newton_steps = 0;     ///< on the last grid
+  Eigen::VectorXd h;        ///< heat flux over sin(phi): its n Legendre coefficients in phi
+  double eccentricity = 0;  ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
+};
+
+/// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
+/// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
+/// border, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and hottest.
+/// Throws std::invalid_argument for data out of range, std::runtime_error where no solution with
+/// p >= 0 and v >= 0 is found or the tolerance is not met.
+CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+                              const Given& given);
+
+/// The heat flux v* p* of a solution.
+HeatFlux coupled_flux(const CoupledSolution& x);
+
+/// What varies along the contact, at ascending s inside (-1, 1); dimensionless.
+struct Profile {
+  Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
+};
+
+/// The profiles of a solution of solve_coupled for the same scene and formulation, at the nodes of
+/// its last grid.
+Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x);
+
+}  // namespace thermoroll
