@@ -13,6 +13,7 @@
 
 #include "carter.hpp"
 #include "claims.hpp"
+#include "coupled.hpp"
 #include "kernels.hpp"
 #include "numbers.hpp"
 #include "printed_scheme.hpp"
@@ -43,8 +44,13 @@ constexpr double peclets[] = {100, 500, 1000, 5000};
 constexpr double heating = 0.0175;
 constexpr double peclet = 4360;
 
-PrintedSolution printed(double traction, double pe, const PrintedOptions& options = {}) {
-  return solve_printed({friction, traction, pe, heating}, Formulation::printed, options);
+PrintedSolution printed(double load, double pe, const PrintedOptions& options = {}) {
+  return solve_printed({friction, load, pe, heating}, Formulation::printed, options);
+}
+
+/// The coupled solution with the sign as printed, to 1e-8.
+CoupledSolution coupled(double load, double pe) {
+  return solve_coupled({friction, load, pe, heating}, Formulation::printed, 1e-8, {traction, load});
 }
 
 void geometry(std::ostream& out) {
@@ -64,7 +70,7 @@ void kernels(std::ostream& out) {
     if (zeta != 0) row(out, zeta, kernel::N1(zeta), kernel::N2(zeta), kernel::M(zeta));
 }
 
-void traction(std::ostream& out) {
+void tractions_of_load(std::ostream& out) {
   row(out, "method", "traction", "s", "q");
   for (const double load : tractions) {
     const Carter c = carter(friction, load);
@@ -76,7 +82,7 @@ void traction(std::ostream& out) {
   }
 }
 
-void slip(std::ostream& out) {
+void slip_of_load(std::ostream& out) {
   row(out, "method", "traction", "s", "v");
   for (const double load : tractions) {
     const Carter c = carter(friction, load);
@@ -92,7 +98,7 @@ void slip(std::ostream& out) {
   }
 }
 
-void creep(std::ostream& out) {
+void creep_curve(std::ostream& out) {
   row(out, "method", "creep", "traction");
   for (const double xi : grid(0, 2 * friction / pi, 100))
     row(out, "converged", xi, carter_creep_curve(friction, xi));
@@ -149,10 +155,13 @@ void resolution(std::ostream& out) {
     row(out, nodes, fixed(x.c0, 6), scientific(1 - x.load_ratio, 2), scientific(x.gamma0, 2),
         fixed(hottest, 6), x.outer_iterations, x.inner_iterations);
   }
+  const Values x = coupled(0.5, peclet).value;
+  row(out, "coupled", fixed(x(border), 6), scientific(1 - x(load_ratio), 2),
+      scientific(x(gamma0), 2), fixed(x(hottest), 6), "–", "–");
 }
 
 void coincident(std::ostream& out) {
-  row(out, "$H(0)$", "$T^*_{\\max}$", "outer steps");
+  row(out, "$\\Theta(0)$", "$T^*_{\\max}$", "outer steps");
   for (const double value : {0.0, 0.5, 1.0}) {
     PrintedOptions options;
     options.heaviside_at_zero = value;
@@ -178,29 +187,45 @@ void values(std::ostream& out) {
   v["hertz_p0"] = fixed(2 / pi * units_of(steel, friction).traction / 1e9, 2);
   v["steel_peclet"] = fixed(scene.peclet, 0);
   v["steel_heating"] = fixed(scene.heating, 4);
+  const double compliance = 4 * (1 - steel.poisson) * steel.load / (pi * steel.shear_modulus);
+  v["steel_radius"] = fixed(steel.half_width * steel.half_width / compliance, 3);
+  const CoupledSolution contact = coupled(0.5, peclet);
+  v["steel_creep"] = fixed(contact.value(creep), 4);
+  v["steel_creep_difference"] = fixed(friction * std::abs(contact.value(gamma0)), 4);
+  v["steel_eccentricity"] = fixed(std::abs(contact.eccentricity), 4);
+  v["steel_border_shift"] = fixed(std::abs(contact.value(border) - carter(friction, 0.5).c0), 4);
+  v["steel_creep_change"] =
+      fixed(100 * std::abs(contact.value(creep_constant) / carter(friction, 0.5).creep - 1), 1);
   const HeatFlux half = carter_flux(carter(friction, 0.5));
   const Peak top = max_temperature(half, 5000);
   const double top_printed = printed_max_temperature(printed(0.5, 5000), 5000).temperature;
-  const auto celsius = [&](double pe) {
-    return fixed(celsius_at(pe) * max_temperature(half, pe).temperature.value, 1);
-  };
   v["tmax_5000"] = fixed(top.temperature.value, 7);
   v["tmax_5000_at"] = fixed(top.at, 4);
+  v["tmax_5000_coupled"] = fixed(coupled(0.5, 5000).value(hottest), 5);
   v["tmax_5000_printed"] = fixed(top_printed, 6);
-  v["tmax_5000_error"] = fixed(100 * (1 - top_printed / top.temperature.value), 1);
-  for (const int pe : {5000, 10000, 15000}) v["celsius_" + std::to_string(pe)] = celsius(pe);
+  v["tmax_5000_error"] = fixed(100 * (1 - top_printed / coupled(0.5, 5000).value(hottest)), 1);
+  for (const int pe : {5000, 10000, 15000}) {
+    const double rise = coupled(0.5, pe).value(hottest) * celsius_at(pe);
+    const double at_round_speed =
+        rise * (pe / 200.0) / (2 * steel.diffusivity * pe / steel.half_width);
+    v["celsius_" + std::to_string(pe)] = fixed(rise, 0);
+    v["celsius_" + std::to_string(pe) + "_rounded"] = fixed(at_round_speed, 0);
+  }
   v["celsius_ratio"] = fixed(420.0 / 272, 2);
   v["sliding_ratio_02"] = fixed(rolling_to_sliding(0.2), 1);
-  v["sliding_ratio_059"] = fixed(rolling_to_sliding(0.59), 2);
+  v["sliding_ratio_059"] = fixed(rolling_to_sliding(0.59), 1);
   const double kappa_printed = 1 - printed(0.5, peclet).load_ratio;
-  const double kappa_first_order = first_order_load_change(0.5);
+  const double kappa_coupled = 1 - contact.value(load_ratio);
   v["node_distance"] = fixed(pi / 200, 3);
   v["layer"] = fixed(1 / peclet, 5);
-  v["tmax_4360"] = fixed(max_temperature(half, peclet).temperature.value, 6);
+  v["layers_per_node"] = fixed(pi / 200 * peclet, 0);
   v["kappa_printed"] = fixed(kappa_printed, 5);
-  v["kappa_first_order"] = fixed(kappa_first_order, 5);
-  v["kappa_ratio"] = fixed(kappa_first_order / kappa_printed, 0);
-  v["gamma_first_order"] = fixed(first_order_gamma0(0.5), 5);
+  v["kappa_coupled"] = fixed(kappa_coupled, 5);
+  v["kappa_coupled_largest"] = fixed(1 - coupled(0.59, peclet).value(load_ratio), 4);
+  v["kappa_first_order"] = fixed(first_order_load_change(0.5), 4);
+  v["kappa_ratio"] = fixed(kappa_coupled / kappa_printed, 0);
+  v["gamma_coupled"] = fixed(contact.value(gamma0), 5);
+  v["gamma_first_order"] = fixed(first_order_gamma0(0.5), 4);
   out << v.dump(2) << '\n';
 }
 
@@ -213,8 +238,8 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
   static const std::vector<std::pair<std::string, Writer>> table{
       {"geometry", geometry},
       {"kernels", kernels},
-      {"traction", traction},
-      {"slip", slip},
+      {"traction", tractions_of_load},
+      {"slip", slip_of_load},
       {"temperature-a", of_load(0.2)},
       {"temperature-b", of_load(0.4)},
       {"temperature-c", of_load(0.5)},
@@ -222,7 +247,7 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
       {"temperature-load", temperature_by_load},
       {"subsurface", subsurface},
       {"sliding", sliding},
-      {"creep", creep},
+      {"creep", creep_curve},
       {"resolution", resolution},
       {"coincident", coincident},
       {"claims", claims_table},

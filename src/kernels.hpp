@@ -17,7 +17,7 @@ constexpr double slope_sign(Formulation formulation) {
 /// 1e-12 <= |zeta| <= 1e12 (of the larger term where terms cancel).
 namespace kernel {
 
-/// Slope N1, @eq:N1; zero for zeta <= 0 (Heaviside's step with H(0) = 0).
+/// Slope N1, @eq:N1; zero for zeta <= 0 (Heaviside's step, zero at zero).
 double N1(double zeta);
 
 /// Strain N2, @eq:N2; zeta != 0, where it is logarithmically infinite.
