@@ -46,6 +46,12 @@ other_goals := $(filter-out setup,$(MAKECMDGOALS))
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
 # --- make setup GOAL...: install what the goals need, then make them ------------------------------
 
+known := $(patsubst packages_for_%,%,$(filter packages_for_%,$(.VARIABLES)))
+unknown := $(filter-out $(known),$(other_goals))
+ifneq ($(unknown),)
+$(error no goal $(unknown): 'make help' lists them)
+endif
+
 packages := $(sort $(foreach goal,$(or $(other_goals),reproduce),$(call needs,$(goal))))
 
 .PHONY: setup $(other_goals)
@@ -226,13 +232,9 @@ bench: build/thermoroll
 	@$(compile) build/release --target thermoroll-bench
 	@build/release/thermoroll-bench
 
-# The README's picture, on white, as it is shown on dark pages too.
-picture := build/figures/temperature-load.svg
-
 ## golden: take today's data as the golden data of the tests, and the README's picture
-golden: $(data_files) $(picture)
+golden: $(data_files) build/figures/temperature-load.svg
 	@bash tests/figures/update-golden.sh
-	@sed 's/fill="none"/fill="white"/;ta;b;:a;n;ba' $(picture) >figures/golden/$(notdir $(picture))
 
 # --- The rest -------------------------------------------------------------------------------------
 

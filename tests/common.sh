@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # Read by the shell tests: a scratch folder with a space in its name, removed at the end, and `fail`.
 # Not pipefail: a reader that has seen enough, as `head` or `grep -q`, would fail its writer.
 set -eu
@@ -10,3 +11,6 @@ fail() {
   echo "FAILED: $*" >&2
   exit 1
 }
+
+# Whether this folder is the top of a checkout.
+is_checkout() { [ "$(git rev-parse --show-toplevel 2>/dev/null)" = "$(pwd -P)" ]; }

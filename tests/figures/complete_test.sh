@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # Every figure has its script, data, golden data, caption, description and use, and nothing is left
 # over.
 . tests/common.sh

@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # A figure is the same bytes whenever and wherever it is drawn, alone and from its data.
 . tests/common.sh
 

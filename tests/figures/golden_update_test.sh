@@ -1,15 +1,37 @@
-# The golden data are replaced by today's, and nothing else is; what is no longer made goes.
+#!/usr/bin/env bash
+# The golden data and the README's picture are replaced by today's, and nothing else is; what is no
+# longer made goes; what cannot be written whole is not written.
 . tests/common.sh
 
-mkdir -p "$work/project/build/data" "$work/project/figures/golden" "$work/project/tests/figures"
-cp tests/figures/update-golden.sh "$work/project/tests/figures/"
+mkdir -p "$work/project/build/data" "$work/project/build/figures" "$work/project/figures/golden" \
+  "$work/project/tests/figures"
+cp tests/figures/update-golden.sh tests/figures/readme-picture.sh "$work/project/tests/figures/"
 cd "$work/project"
+update() { (cd / && bash "$work/project/tests/figures/update-golden.sh"); }
+
+picture=build/figures/temperature-load.svg
 echo new | tee build/data/changed.csv build/data/added.csv >/dev/null
 echo same | tee build/data/same.csv figures/golden/same.csv >/dev/null
 echo old | tee figures/golden/changed.csv figures/golden/gone.csv figures/golden/tolerances.csv >/dev/null
+printf '<rect fill="none"/>\n<path fill="none"/>\n' >"$picture"
 
-listed=$(cd / && bash "$work/project/tests/figures/update-golden.sh" | sort | tr '\n' ' ')
-[ "$listed" = "figures/golden/added.csv figures/golden/changed.csv " ] || fail "listed: $listed"
+listed=$(update | sort | tr '\n' ' ')
+[ "$listed" = "figures/golden/added.csv figures/golden/changed.csv figures/golden/temperature-load.svg " ] ||
+  fail "listed: $listed"
 [ "$(cat figures/golden/{added,changed,same,tolerances}.csv | tr '\n' ' ')" = "new new same old " ] ||
   fail "golden data: $(cat figures/golden/*.csv)"
 [ ! -e figures/golden/gone.csv ] || fail "a table that is no longer made stayed"
+[ "$(cat figures/golden/temperature-load.svg)" = $'<rect fill="white"/>\n<path fill="none"/>' ] ||
+  fail "picture: $(cat figures/golden/temperature-load.svg)"
+[ -z "$(update)" ] || fail "a second run changed something"
+
+# Every file is renamed into its place: a reader of the old one keeps it whole, and no picture to
+# take leaves the picture there was.
+exec 3<figures/golden/changed.csv
+echo newer >build/data/changed.csv
+update >/dev/null
+[ "$(cat <&3)" = new ] || fail "a golden table was written over in its place"
+rm "$picture"
+! update >/dev/null 2>&1 || fail "worked without a picture"
+[ -s figures/golden/temperature-load.svg ] || fail "the picture was emptied"
+[ -z "$(find figures -name '*.tmp')" ] || fail "left behind: $(find figures -name '*.tmp')"

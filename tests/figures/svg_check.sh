@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # check_svg NAME FILE: is FILE the picture of figure NAME? One line on stderr for the first thing
 # that is not, and a failure.
 

@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # The drawn figures have their curves, labels and nothing broken; and the check sees damage.
 . tests/common.sh
 . tests/figures/svg_check.sh

@@ -1,16 +1,27 @@
-#!/bin/bash
-# Take today's data as the golden data (`make golden`), with what changed. The tolerances, in
-# figures/golden/tolerances.csv, are written by hand.
+#!/usr/bin/env bash
+# Take today's data as the golden data, and today's picture for the README (`make golden`); what
+# changed is listed. The tolerances, in figures/golden/tolerances.csv, are written by hand.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 mkdir -p figures/golden
+
+# replace FILE: by what stands on stdin, if that is something else; never by half of it.
+replace() {
+  cat >"$1.tmp"
+  if cmp -s "$1.tmp" "$1"; then
+    rm "$1.tmp"
+  else
+    mv "$1.tmp" "$1"
+    echo "$1"
+  fi
+}
+
 for golden in figures/golden/*.csv; do
   name=$(basename "$golden")
   [ "$name" = tolerances.csv ] || [ ! -e "$golden" ] || [ -e "build/data/$name" ] || rm "$golden"
 done
 for table in build/data/*.csv; do
-  golden=figures/golden/$(basename "$table")
-  cmp -s "$table" "$golden" && continue
-  cp "$table" "$golden"
-  echo "$golden"
+  replace "figures/golden/$(basename "$table")" <"$table"
 done
+picture=$(bash tests/figures/readme-picture.sh)
+replace figures/golden/temperature-load.svg <<<"$picture"

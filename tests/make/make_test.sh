@@ -176,6 +176,14 @@ SetupComesFirst() { # in the copy
   [ "$(uniq "$work/order" | tr '\n' ' ')" = "install draw " ] || fail "order: $(cat "$work/order")"
 }
 
+# A misspelt goal is found before anything is installed.
+SetupRefusesUnknownGoal() {
+  bare_debian
+  ! with_fakes make setup reprodcue test >"$work/log" 2>&1 || fail "worked"
+  grep -q "no goal reprodcue: 'make help'" "$work/log" || fail "said: $(cat "$work/log")"
+  [ ! -e "$work/asked" ] || fail "apt-get ran: $(cat "$work/asked")"
+}
+
 SetupWithoutRootOrSudo() {
   bare_debian
   fake id <<<'echo 1000'

@@ -1,3 +1,4 @@
+#!/usr/bin/env bash
 # Read by the tests of the report: `weave OUTPUT CHAPTER...`, the Makefile's command.
 paper="$PWD/paper"
 

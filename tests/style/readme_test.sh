@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# readme_test.sh CASE: one promise of the README, run in the project's folder. The cases are the
+# functions below that begin with a capital.
+source tests/common.sh
+
+# The relative addresses in a Markdown file.
+addresses() { grep -oE '\]\([^)#]+\)' "$1" | sed 's/^](//; s/)$//' | grep -v '://'; }
+
+# tracked: whatever ./README.md leads to is there, and in a checkout it is in the repository.
+tracked() {
+  local address
+  addresses README.md >"$scratch/addresses"
+  [ -s "$scratch/addresses" ] || { echo "no links at all"; return 1; }
+  while read -r address; do
+    [ -e "$address" ] || { echo "$address is not there"; return 1; }
+    ! is_checkout || git ls-files --error-unmatch -- "$address" >/dev/null 2>&1 ||
+      { echo "$address is not tracked"; return 1; }
+  done <"$scratch/addresses"
+}
+
+LinksAreTracked() {
+  tracked || fail "see above"
+
+  cd "$work"
+  git init -q .
+  echo '![A picture](a.svg)' >README.md
+  [ "$(tracked)" = 'a.svg is not there' ] || fail "a missing picture was not found"
+  touch a.svg
+  [ "$(tracked)" = 'a.svg is not tracked' ] || fail "an untracked picture was not found"
+  git add a.svg
+  tracked || fail "a tracked picture was refused"
+}
+
+# same_picture FILE FILE: the same drawing, but for a fifth of a pixel (another machine rounds
+# otherwise), and the same words.
+same_picture() {
+  awk -v other="$2" '
+    function numbers(line) { gsub(/[^-0-9.]+/, " ", line); return line }
+    function rest(line) { gsub(/[-0-9.]+/, "#", line); return line }
+    {
+      if ((getline line <other) != 1 || rest($0) != rest(line) || (/<t/ && $0 != line)) exit 1
+      count = split(numbers($0), a, " "); split(numbers(line), b, " ")
+      for (k = 1; k <= count; ++k) if (a[k] - b[k] > 0.2 || b[k] - a[k] > 0.2) exit 1
+    }
+    END { if ((getline line <other) == 1) exit 1 }' "$1"
+}
+
+PictureIsCurrent() {
+  local picture=figures/golden/temperature-load.svg
+  bash tests/figures/readme-picture.sh >"$work/today.svg"
+  same_picture "$work/today.svg" "$picture" || fail "$picture is out of date: run make golden"
+
+  sed '0,/M[0-9]/s//M5/' "$picture" >"$work/moved.svg"
+  ! same_picture "$work/moved.svg" "$picture" || fail "a moved curve was not found"
+  sed '$d' "$picture" >"$work/short.svg"
+  ! same_picture "$work/short.svg" "$picture" || fail "a missing line was not found"
+  ! same_picture "$picture" "$work/short.svg" || fail "a surplus line was not found"
+  sed 's/converged/other/' "$picture" >"$work/renamed.svg"
+  ! same_picture "$work/renamed.svg" "$picture" || fail "another label was not found"
+  sed "s/>0.2</>0.21</" "$picture" >"$work/renamed.svg"
+  ! same_picture "$work/renamed.svg" "$picture" || fail "another number was not found"
+}
+
+"$1"
