@@ -27,20 +27,22 @@ namespace {
 using Maybe = std::optional<double>;
 
 struct CaseOptions {
-  double friction = 0, traction = 0;
+  double friction = 0;
+  Maybe traction, creep, border;
   Maybe peclet, heating;
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
-  std::string method, formulation = "printed";
+  std::string method = "coupled", formulation = "corrected";
   int nodes = 200;
+  double tolerance = 1e-6;
 };
 
-struct SiOption {
+struct CaseOption {
   const char *name, *unit, *meaning;
   Maybe CaseOptions::*value;
 };
 
-constexpr SiOption si_options[] = {
+constexpr CaseOption si_options[] = {
     {"--load", "N/m", "load per unit length P", &CaseOptions::load},
     {"--speed", "m/s", "rolling speed V", &CaseOptions::speed},
     {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &CaseOptions::shear_modulus},
@@ -49,10 +51,25 @@ constexpr SiOption si_options[] = {
     {"--diffusivity", "m^2/s", "thermal diffusivity k", &CaseOptions::diffusivity},
     {"--conductivity", "W/(m K)", "thermal conductivity K", &CaseOptions::conductivity}};
 
-constexpr SiOption size_options[] = {
+constexpr CaseOption size_options[] = {
     {"--half-width", "m", "half-width a of the contact", &CaseOptions::half_width},
-    {"--radius", "m", "radius R of the cylinder, in place of the half-width",
+    {"--radius", "m", "radius R of the cylinder: half-width follows, with kappa, for this load",
      &CaseOptions::radius}};
+
+constexpr CaseOption given_options[] = {
+    {"--traction", "NUMBER", "traction Q* = Q/P, above 0 and below f", &CaseOptions::traction},
+    {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), positive",
+     &CaseOptions::creep},
+    {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
+     &CaseOptions::border}};
+
+Given read_given(const CaseOptions& o) {
+  if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
+    throw std::invalid_argument(
+        "exactly one of --traction, --creep and --stick-slip-border is needed");
+  if (o.traction) return {traction, *o.traction};
+  return o.creep ? Given{creep, *o.creep} : Given{border, *o.border};
+}
 
 std::optional<double> to_number(const std::string& text) {
   char* end = nullptr;
@@ -92,7 +109,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 }
 
 void add_case_options(CLI::App& command, CaseOptions& o) {
-  const auto add = [&](const SiOption& option, const char* group) {
+  const auto add = [&](const CaseOption& option, const char* group) {
     return command.add_option(option.name, o.*option.value, option.meaning)
         ->type_name(option.unit)
         ->check(finite_number())
@@ -104,53 +121,63 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
       ->check(finite_number())
       ->required()
       ->group("Case");
-  command.add_option("--traction", o.traction, "traction Q* = Q/P, above 0 and below f")
-      ->type_name("NUMBER")
-      ->check(finite_number())
-      ->required()
-      ->group("Case");
+  for (const CaseOption& option : given_options) add(option, "Case");
   add({"--peclet", "NUMBER", "Peclet number Pe = V a / 2k", &CaseOptions::peclet}, groups);
   add({"--heating", "NUMBER", "heating H = 2 alpha (1+nu) k P / (a K), 0 if not given",
        &CaseOptions::heating},
       groups);
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
-  for (const SiOption& option : si_options) add(option, si);
-  for (const SiOption& option : size_options) add(option, si);
-  command.add_option("--method", o.method, o.method + " unless given")
-      ->type_name("closed-form|gauss-chebyshev")
-      ->check(one_of({"closed-form", "gauss-chebyshev"}))
+  for (const CaseOption& option : si_options) add(option, si);
+  for (const CaseOption& option : size_options) add(option, si);
+  command.add_option("--method", o.method, "coupled unless given")
+      ->type_name("coupled|closed-form|gauss-chebyshev")
+      ->check(one_of({"coupled", "closed-form", "gauss-chebyshev"}))
+      ->group("Method");
+  command.add_option("--tolerance", o.tolerance, "of coupled, 1e-11 to 1e-2; 1e-6 unless given")
+      ->type_name("NUMBER")
+      ->check(finite_number())
       ->group("Method");
   command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
       ->type_name("NUMBER")
       ->check(whole_number())
       ->group("Method");
-  command.add_option("--formulation", o.formulation, "sign of thermal slope, printed unless given")
+  command.add_option("--formulation", o.formulation, "sign of the slope, corrected unless given")
       ->type_name("printed|corrected")
       ->check(one_of({"printed", "corrected"}))
       ->group("Method");
 }
 
 struct Case {
-  Scene scene;
+  Scene scene;  // its traction is the value of what is given, of use only if that is the traction
+  Given given;
   Approach approach;
   std::optional<PhysicalCase> physical;
 };
 
+std::optional<Units> units_of(const Case& c) {
+  if (!c.physical) return std::nullopt;
+  return units_of(*c.physical, c.scene.friction);
+}
+
 Approach read_approach(const CaseOptions& o) {
-  return {o.method == "closed-form" ? Method::closed_form : Method::gauss_chebyshev,
-          o.formulation == "printed" ? Formulation::printed : Formulation::corrected, o.nodes};
+  const Method method = o.method == "coupled"       ? Method::coupled
+                        : o.method == "closed-form" ? Method::closed_form
+                                                    : Method::gauss_chebyshev;
+  const bool printed = o.formulation == "printed";
+  return {method, printed ? Formulation::printed : Formulation::corrected, o.nodes, o.tolerance};
 }
 
 Case read_case(const CaseOptions& o) {
   std::string given, missing;
-  for (const SiOption& option : si_options)
+  for (const CaseOption& option : si_options)
     (o.*option.value ? given : missing) += std::string(" ") + option.name;
-  for (const SiOption& option : size_options)
+  for (const CaseOption& option : size_options)
     if (o.*option.value) given += std::string(" ") + option.name;
   const Approach approach = read_approach(o);
+  const Given x = read_given(o);
   if (given.empty()) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
-    return {{o.friction, o.traction, *o.peclet, o.heating.value_or(0)}, approach, {}};
+    return {{o.friction, x.value, *o.peclet, o.heating.value_or(0)}, x, approach, {}};
   }
   if (o.peclet || o.heating)
     throw std::invalid_argument("--peclet and --heating exclude data in SI units; given:" + given);
@@ -159,9 +186,9 @@ Case read_case(const CaseOptions& o) {
     throw std::invalid_argument("data in SI units need either --half-width or --radius");
   PhysicalCase c{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
                  *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
-  if (o.radius) c.half_width = half_width_of_radius(c, *o.radius, o.friction, o.traction, approach);
+  if (o.radius) c.half_width = half_width_of_radius(c, *o.radius, o.friction, x, approach);
   check(c);
-  return {scene_of(c, o.friction, o.traction), approach, c};
+  return {scene_of(c, o.friction, x.value), x, approach, c};
 }
 
 constexpr double most_points = 1000000;
@@ -236,7 +263,7 @@ std::string reworded(const CLI::ParseError& error, const std::vector<std::string
 
 struct Options {
   CaseOptions of_case;
-  std::string at, name, format = "text", output;
+  std::string at, name, format = "text", output, profile;
   double depth = 0;
   bool list = false, verbose = false;
 };
@@ -245,61 +272,82 @@ Format read_format(const std::string& name) {
   return name == "json" ? Format::json : name == "csv" ? Format::csv : Format::text;
 }
 
-constexpr const char* last_iterate =
-    "the iteration did not converge; what is written is its last iterate";
+void conclude(const Solution& x) {
+  if (!x.converged)
+    throw NotConverged("the iteration did not converge; what is written is its last iterate");
+  if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
+  const double apart = x.scene.peclet * pi / x.approach.nodes;
+  if (x.approach.method == Method::gauss_chebyshev && apart > 1)
+    std::fprintf(stderr,
+                 "thermoroll: note: the nodes are %.3g kernel widths apart: load_ratio, gamma0 and "
+                 "max_temperature are not resolved (see --method coupled)\n",
+                 apart);
+  if (x.approach.formulation == Formulation::printed)
+    std::fprintf(stderr,
+                 "thermoroll: note: thermal slope with the sign as printed (see --formulation "
+                 "corrected)\n");
+}
 
 void run_solve(const Options& o) {
+  if (!o.profile.empty() && o.profile == o.output)
+    throw std::invalid_argument("--profile and --output are the same file, " + o.output);
   const Case c = read_case(o.of_case);
-  const Solution x = solve(c.scene, c.approach);
+  const Solution x = solve(c.scene, c.approach, c.given);
   std::optional<PhysicalResults> physical;
   if (c.physical) physical = in_si_units(x, *c.physical);
-  deliver(present(x, physical, read_format(o.format)), o.output);
-  if (!x.converged) throw NotConverged(last_iterate);
+  std::vector<Answer> answers{{present(x, physical, read_format(o.format)), o.output}};
+  if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units_of(c)), o.profile});
+  deliver(answers);
+  conclude(x);
 }
 
 void run_temperature(const Options& o) {
   const std::vector<double> at = read_points(o.at);
   const Case c = read_case(o.of_case);
-  const Curve curve = temperature_curve(c.scene, c.approach, at, o.depth);
-  std::optional<Units> units;
-  if (c.physical) units = units_of(*c.physical, c.scene.friction);
-  deliver(curve_csv(curve, units), o.output);
-  if (!curve.converged) throw NotConverged(last_iterate);
+  const Solution x = solve(c.scene, c.approach, c.given);
+  deliver({{curve_csv(temperature_curve(x, at, o.depth), units_of(c)), o.output}});
+  conclude(x);
 }
 
 void run_figure_data(const Options& o) {
   if (o.list == !o.name.empty())
     throw std::invalid_argument("figure-data needs either a NAME or --list");
   const std::vector<std::string> names = figure_data_names();
-  if (o.list) return deliver(CLI::detail::join(names, "\n") + '\n', o.output);
+  if (o.list) return deliver({{CLI::detail::join(names, "\n") + '\n', o.output}});
   if (std::find(names.begin(), names.end(), o.name) == names.end())
     throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
                                 CLI::detail::join(names, ", "));
   std::ostringstream out;
   write_figure_data(o.name, out);
-  deliver(out.str(), o.output);
+  deliver({{out.str(), o.output}});
 }
 
-void run_claims(const Options& o) { deliver(present(claims(), read_format(o.format)), o.output); }
+void run_claims(const Options& o) {
+  deliver({{present(claims(), read_format(o.format)), o.output}});
+}
 
 constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
+  thermoroll solve --friction 0.6 --creep 0.2 --peclet 100 --heating 1 --tolerance 1e-9 \
+    --format json --profile profile.csv
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --method closed-form --format json
   thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
   thermoroll solve --config wheel.toml --traction 0.4
 
 The last reads the case from a file of lines such as "friction = 0.6" (TOML or INI).
-The errors that the closed form gives are those of its evaluation; what it leaves out, the effect
-of the heat on the tractions, is not counted. The scheme has no error estimate.)";
+Methods: coupled solves tractions and heat together, to the tolerance; closed-form leaves out what
+the heat does to the tractions, and that is not counted in its errors; gauss-chebyshev is the
+published scheme and has no error estimate.
+Temperatures in degree C are rises above ambient.)";
 
 constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 100 --at 0,0.5,1 --depth 0.1
   thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
 
-The columns are s, temperature (T*), temperature_celsius (for data in SI units) and error_estimate
-(of T*, absolute; empty for the scheme).)";
+The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
+units) and error_estimate (of T*, absolute; empty for gauss-chebyshev).)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list
@@ -314,7 +362,7 @@ constexpr const char* program_footer = R"(Examples:
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
   thermoroll solve --help
 
-Exit status: 0 done; 1 failed (a file could not be written, an integral was not resolved);
+Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not be written);
 2 refused (options, numbers or files that make no sense); 3 an iteration did not converge.)";
 
 void add_format(CLI::App& command, Options& o) {
@@ -330,9 +378,10 @@ void add_output(CLI::App& command, Options& o) {
 
 void add_solve(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("solve", "Solve one case and print the result");
-  o.of_case.method = "gauss-chebyshev";
   add_case_options(command, o.of_case);
   add_format(command, o);
+  command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
+      ->type_name("FILE");
   add_output(command, o);
   command.footer(solve_examples);
   command.callback([&o] { run_solve(o); });
@@ -340,12 +389,11 @@ void add_solve(CLI::App& program, Options& o) {
 
 void add_temperature(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
-  o.of_case.method = "closed-form";
   add_case_options(command, o.of_case);
   command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
       ->type_name("POINTS")
       ->required();
-  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given; closed form only")
+  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
       ->type_name("NUMBER")
       ->check(finite_number());
   add_output(command, o);
@@ -389,9 +437,9 @@ void run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    deliver(CLI::detail::find_and_replace(program.help(), "\n\n\n", "\n\n"), "");
+    deliver({{CLI::detail::find_and_replace(program.help(), "\n\n\n", "\n\n"), ""}});
   } catch (const CLI::CallForVersion& version) {
-    deliver(version.what() + std::string("\n"), "");
+    deliver({{version.what() + std::string("\n"), ""}});
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(reworded(error, program.remaining(true)));
   }

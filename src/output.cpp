@@ -10,6 +10,7 @@
 #include <iomanip>
 #include <sstream>
 #include <system_error>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -30,11 +31,13 @@ struct Row {
 };
 
 constexpr Row<Results> result_rows[] = {
+    {"traction", "Q*", "", &Results::traction},
     {"stick_slip_border", "c0", "", &Results::stick_slip_border},
     {"creep_constant", "C", "", &Results::creep_constant},
     {"creep", "xi*", "", &Results::creep},
     {"load_ratio", "kappa", "", &Results::load_ratio},
     {"gamma0", "gamma0", "", &Results::gamma0},
+    {"eccentricity", "", "", &Results::eccentricity},
     {"heat_integral", "int v*p*", "", &Results::heat_integral},
     {"max_temperature", "T*max", "", &Results::max_temperature},
     {"max_temperature_at", "s", "", &Results::max_temperature_at}};
@@ -47,10 +50,11 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"max_pressure", "max p", "Pa", &PhysicalResults::max_pressure},
     {"max_traction", "max q", "Pa", &PhysicalResults::max_traction},
     {"max_heat_flux", "max phi", "W/m^2", &PhysicalResults::max_heat_flux},
-    {"max_temperature_celsius", "Tmax", "degree C", &PhysicalResults::max_temperature_celsius}};
+    {"max_temperature_celsius", "Tmax", "degree C above ambient",
+     &PhysicalResults::max_temperature_celsius}};
 
 /// A few digits, for the eye.
-std::string digits(double x, int significant = 9) {
+std::string digits(double x, int significant) {
   std::ostringstream out;
   out << std::setprecision(significant) << x;
   return out.str();
@@ -87,6 +91,11 @@ void require_finite(const Row<T> (&rows)[n], const T& values) {
                          std::to_string(values.*row.value));
 }
 
+const char* name_of(Method method) {
+  if (method == Method::coupled) return "coupled";
+  return method == Method::closed_form ? "closed-form" : "gauss-chebyshev";
+}
+
 template <class T, std::size_t n>
 json object(const Row<T> (&rows)[n], const T& values) {
   json o;
@@ -96,18 +105,21 @@ json object(const Row<T> (&rows)[n], const T& values) {
 
 json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) {
   json o;
-  const bool closed = x.approach.method == Method::closed_form;
   const bool printed = x.approach.formulation == Formulation::printed;
-  o["method"] = closed ? "closed-form" : "gauss-chebyshev";
+  const auto* scheme = std::get_if<PrintedSolution>(&x.found);
+  o["method"] = name_of(x.approach.method);
   o["formulation"] = printed ? "printed" : "corrected";
   o["friction"] = x.scene.friction;
   o["traction"] = x.scene.traction;
   o["peclet"] = x.scene.peclet;
   o["heating"] = x.scene.heating;
-  o["nodes"] = closed ? json() : json(x.approach.nodes);
+  o["nodes"] = scheme ? json(x.approach.nodes) : json();
   o.update(object(result_rows, x.value));
-  o["outer_iterations"] = x.outer_iterations;
-  o["inner_iterations"] = x.inner_iterations;
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
+  o["inner_iterations"] = scheme ? scheme->inner_iterations : 0;
+  o["unknowns"] = coupled ? json(coupled->unknowns) : json();
+  o["newton_iterations"] = coupled ? json(coupled->newton_steps) : json();
   o["converged"] = x.converged;
   o["error_estimate"] = x.error ? object(result_rows, *x.error) : json();
   if (physical) o["physical"] = object(physical_rows, *physical);
@@ -137,7 +149,7 @@ void flatten(const json& o, const std::string& prefix, std::string& header, std:
 }
 
 std::string remark(const Solution& x) {
-  if (x.approach.method == Method::gauss_chebyshev || x.scene.heating == 0) return "";
+  if (x.approach.method != Method::closed_form || x.scene.heating == 0) return "";
   return "\nThe closed form leaves out what the heat does to the tractions. The errors are\n"
          "those of its evaluation, not those of leaving the heat out.\n";
 }
@@ -147,26 +159,27 @@ std::string to_text(const Solution& x, const std::optional<PhysicalResults>& phy
   const json o = to_json(x, physical);
   const auto plain = [&](const char* name, const char* symbol) {
     const json& cell = o[name];
-    table.push_back({name, symbol, cell.is_number_float() ? digits(cell) : csv_cell(cell), "", ""});
+    const std::string text = cell.is_number_float() ? digits(cell, 9) : csv_cell(cell);
+    table.push_back({name, symbol, text, "", ""});
   };
   plain("method", "");
-  plain("formulation", "");
+  if (x.approach.method != Method::closed_form) plain("formulation", "");
   plain("friction", "f");
-  plain("traction", "Q*");
   plain("peclet", "Pe");
   plain("heating", "H");
-  if (!o["nodes"].is_null()) plain("nodes", "n");
-  for (const auto& row : result_rows)
-    table.push_back({row.name, row.symbol, digits(x.value.*row.value),
-                     x.error ? digits(*x.error.*row.value, 1) : "", row.unit});
+  for (const auto& row : result_rows) {
+    const double error = x.error ? *x.error.*row.value : 0;
+    table.push_back({row.name, row.symbol, digits(x.value.*row.value, x.error ? 9 : 6),
+                     error > 0 ? digits(error, 1) : "", row.unit});
+  }
   if (physical)
     for (const auto& row : physical_rows)
-      table.push_back({row.name, row.symbol, digits(*physical.*row.value), "", row.unit});
-  if (x.approach.method == Method::gauss_chebyshev) {
-    plain("outer_iterations", "");
-    plain("inner_iterations", "");
-    plain("converged", "");
-  }
+      table.push_back({row.name, row.symbol, digits(*physical.*row.value, 6), "", row.unit});
+  if (x.approach.method == Method::gauss_chebyshev)
+    for (const char* name : {"nodes", "outer_iterations", "inner_iterations", "converged"})
+      plain(name, "");
+  if (x.approach.method == Method::coupled)
+    for (const char* name : {"unknowns", "newton_iterations"}) plain(name, "");
   return aligned(table) + remark(x);
 }
 
@@ -181,20 +194,43 @@ json claims_json(const Table& table) {
   return list;
 }
 
-void write_file(const std::string& file, const std::string& text) {
+struct ProfileColumn {
+  const char *name, *si_name;
+  const Eigen::ArrayXd& values;
+  double unit;
+};
+
+/// A file, written aside from the place that it is to be renamed to; a device is in its place.
+struct Written {
+  std::string file, aside, target;
+};
+
+Written write_aside(const Answer& answer) {
   std::error_code none;
+  const std::string& file = answer.file;
   const auto status = fs::status(file, none);
   const bool special = fs::exists(status) && !fs::is_regular_file(status);
   const std::string target = fs::is_regular_file(status) ? fs::canonical(file).string() : file;
   const std::string aside = special ? target : target + ".tmp";
   errno = 0;
   std::ofstream out(aside, std::ios::binary);
-  out << text;
+  out << answer.text;
   out.close();
-  if (out && (special || std::rename(aside.c_str(), target.c_str()) == 0)) return;
+  if (out) return {file, aside, target};
   const int reason = errno;
   if (!special) std::remove(aside.c_str());
   throw std::system_error(reason, std::generic_category(), "cannot write " + file);
+}
+
+void print(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+}
+
+void put_in_place(const Written& x) {
+  if (std::rename(x.aside.c_str(), x.target.c_str()) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot write " + x.file);
 }
 
 }  // namespace
@@ -239,11 +275,39 @@ std::string curve_csv(const Curve& curve, const std::optional<Units>& units) {
   return text;
 }
 
-void deliver(const std::string& text, const std::string& file) {
-  if (!file.empty()) return write_file(file, text);
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
+std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
+  const Units unit = units.value_or(Units{});
+  const ProfileColumn columns[] = {
+      {"pressure", "pressure_pa", x.pressure, unit.traction},
+      {"traction", "traction_pa", x.traction, unit.traction},
+      {"slip", "slip_m_per_s", x.slip, unit.slip},
+      {"heat_flux", "heat_flux_w_per_m2", x.heat_flux, unit.heat_flux},
+      {"temperature", "temperature_celsius", x.temperature, unit.temperature}};
+  std::string text = "s";
+  for (const ProfileColumn& c : columns)
+    text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");
+  for (Eigen::Index i = 0; i < x.s.size(); ++i) {
+    text += '\n' + shortest(x.s(i));
+    for (const ProfileColumn& c : columns)
+      text += ',' + shortest(c.values(i)) + (units ? ',' + shortest(c.values(i) * c.unit) : "");
+  }
+  return text + '\n';
+}
+
+void deliver(const std::vector<Answer>& answers) {
+  std::vector<Written> written;
+  try {
+    for (const Answer& answer : answers)
+      if (!answer.file.empty()) written.push_back(write_aside(answer));
+    for (const Answer& answer : answers)
+      if (answer.file.empty()) print(answer.text);
+    for (const Written& x : written)
+      if (x.aside != x.target) put_in_place(x);
+  } catch (...) {
+    for (const Written& x : written)
+      if (x.aside != x.target) std::remove(x.aside.c_str());
+    throw;
+  }
 }
 
 }  // namespace thermoroll

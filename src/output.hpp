@@ -19,12 +19,20 @@ std::string present(const Solution& x, const std::optional<PhysicalResults>& phy
 /// The table of claims in a format.
 std::string present(const std::vector<Claim>& claims, Format format);
 
-/// A temperature curve as CSV, with a column for degree C if the units are known. Throws
-/// NotConverged where a temperature is not finite.
+/// A temperature curve as CSV, with a column for degree C above ambient if the units are known.
+/// Throws NotConverged where a temperature is not finite.
 std::string curve_csv(const Curve& curve, const std::optional<Units>& units);
 
-/// Write the text to the file, as a whole or not at all, or to standard output if file is empty.
-/// Throws std::system_error.
-void deliver(const std::string& text, const std::string& file);
+/// A profile as CSV, with SI columns beside the dimensionless ones if the units are known.
+std::string profile_csv(const Profile& x, const std::optional<Units>& units);
+
+/// A text and the file to write it to; standard output if file is empty.
+struct Answer {
+  std::string text, file;
+};
+
+/// Write the answers, each as a whole, or none where one cannot be written (what has gone to
+/// standard output or a device stays there). Throws std::system_error.
+void deliver(const std::vector<Answer>& answers);
 
 }  // namespace thermoroll

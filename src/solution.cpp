@@ -6,33 +6,73 @@
 #include <limits>
 #include <string>
 
-#include "carter.hpp"
-#include "printed_scheme.hpp"
+#include "quadrature.hpp"
 #include "temperature.hpp"
 
 namespace thermoroll {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+const std::string no_braking = " (braking is not modelled)";
 
-Peaks carter_peaks(const Carter& c, const HeatFlux& flux) {
-  const double h = c.slip_half_width, middle = 3 * h - 2 * c.b;
-  const double root = std::sqrt(middle * middle + 16 * h * c.b);
-  const double u = middle > 0 ? (middle + root) / (8 * h) : 2 * c.b / (root - middle);
-  return {hertz_pressure(0), c.friction * hertz_pressure(std::max(c.c0, 0.0)),
-          flux.density(2 * h * u, 2 * h * (1 - u))};
+double& the_given_one(Results& x, const Given& given) {
+  if (given.quantity == creep) return x.creep;
+  return given.quantity == border ? x.stick_slip_border : x.traction;
 }
 
-Solution solve_closed_form(const Scene& scene, const Approach& approach) {
-  const Carter c = carter(scene.friction, scene.traction);
-  const HeatFlux flux = carter_flux(c);
-  const Peak top = max_temperature(flux, scene.peclet);
+void check_case(Scene scene, const Given& given) {
+  const double x = given.value;
+  const bool by_traction = given.quantity == traction;
+  scene.traction = by_traction && x > 0 ? x : scene.friction / 2;  // the latter passes the check
+  check(scene);
+  if (by_traction) require(x > 0, "traction", x, "above 0 and below the friction" + no_braking);
+  if (given.quantity == creep) require(x > 0, "creep", x, "positive" + no_braking);
+  if (given.quantity == border)
+    require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
+}
+
+Results named(const Values& x, double eccentricity) {
+  return {x(traction), x(border),    x(creep_constant), x(creep),   x(load_ratio),
+          x(gamma0),   eccentricity, x(heat),           x(hottest), x(hottest_at)};
+}
+
+Solution solve_by_newton(Scene scene, const Approach& approach, const Given& given) {
+  const double tolerance = approach.tolerance;
+  require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
+  const CoupledSolution x = solve_coupled(scene, approach.formulation, tolerance, given);
+  const Values &v = x.value, &e = x.error;
+  const double kappa = v(load_ratio);
+  const double drift = pi / (2 * kappa) * (e(gamma0) + std::abs(v(gamma0)) / kappa * e(load_ratio));
+  Results value = named(v, x.eccentricity), error = named(e, drift);
+  the_given_one(value, given) = given.value;
+  the_given_one(error, given) = 0;
+  scene.traction = value.traction;
+  return {scene, approach, value, error, x};
+}
+
+Carter carter_given(double f, const Given& given) {
+  if (given.quantity == traction) return carter(f, given.value);
+  const double c0 = given.value;
+  if (given.quantity == border)
+    return {f, (1 + c0) / 2, (1 - c0) / 2, c0, 2 * f / pi * ((1 - c0) / 2)};
+  const double h = pi * given.value / (2 * f), b = 1 - h;
+  require(h < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
+  return {f, b, h, 2 * b - 1, given.value};
+}
+
+Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {
+  const Carter c = carter_given(scene.friction, given);
+  const Peak top = max_temperature(carter_flux(c), scene.peclet);
   const Estimate t = top.temperature;
   const double heat = carter_heat(c), xi = c.creep, xi_error = 4 * epsilon * xi;
-  const Results value{c.c0, xi, xi, 1, 0, heat, t.value, top.at};
-  const Results error{3 * epsilon, xi_error,           xi_error, 0,
-                      0,           8 * epsilon * heat, t.error,  top.at_error};
-  return {scene, approach, value, error, carter_peaks(c, flux)};
+  const double q = scene.friction * c.slip_half_width * (1 + c.b);
+  Results value{q, c.c0, xi, xi, 1, 0, 0, heat, t.value, top.at};
+  Results error{4 * epsilon * q,    3 * epsilon, xi_error,    xi_error, 0, 0, 0,
+                8 * epsilon * heat, t.error,     top.at_error};
+  the_given_one(value, given) = given.value;
+  the_given_one(error, given) = 0;
+  scene.traction = value.traction;
+  return {scene, approach, value, error, c};
 }
 
 PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
@@ -43,32 +83,16 @@ PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
   return solve_printed(scene, approach.formulation, options);
 }
 
-Peaks scheme_peaks(const Scene& scene, const PrintedSolution& x) {
-  Peaks peak{0, 0, 0};
-  for (Eigen::Index k = 0; k < x.grid.t.size(); ++k) {
-    const double s = x.grid.t(k), pressure = printed_pressure(x, s);
-    peak.pressure = std::max(peak.pressure, pressure);
-    peak.traction = std::max(peak.traction, printed_traction(x, scene.friction, s));
-    peak.heat_flux = std::max(peak.heat_flux, pressure * x.slip(k));
-  }
-  return peak;
-}
-
 Solution solve_gauss_chebyshev(const Scene& scene, const Approach& approach) {
   const PrintedSolution x = run_scheme(scene, approach);
   const PrintedPeak top = printed_max_temperature(x, scene.peclet);
-  const double heat = node_heat(x).sum();
-  Solution y{scene, approach, {}, std::nullopt, scheme_peaks(scene, x)};
-  y.value = {x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
-             heat, top.temperature,  top.at};
-  y.outer_iterations = x.outer_iterations;
-  y.inner_iterations = x.inner_iterations;
-  y.converged = x.converged;
-  return y;
+  const double eccentricity = pi * x.gamma0 / (2 * x.load_ratio), heat = node_heat(x).sum();
+  const Results value{scene.traction, x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
+                      eccentricity,   heat, top.temperature,  top.at};
+  return {scene, approach, value, std::nullopt, x, x.converged};
 }
 
-Curve scheme_curve(const Scene& scene, const Approach& approach, const std::vector<double>& at) {
-  const PrintedSolution x = run_scheme(scene, approach);
+Curve scheme_curve(const Scene& scene, const PrintedSolution& x, const std::vector<double>& at) {
   Curve curve{{}, x.converged};
   for (const double s : at) {
     PrintedSolution others = x;
@@ -78,28 +102,136 @@ Curve scheme_curve(const Scene& scene, const Approach& approach, const std::vect
   return curve;
 }
 
+Eigen::ArrayXd carter_points(const Carter& c, int zone) {
+  const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(zone + 1, 0, pi / 2);
+  Eigen::ArrayXd s(2 * zone + 1);
+  s.tail(zone + 1) = c.c0 + 2 * c.slip_half_width * angle.sin().square();
+  s.head(zone + 1) = -1 + 2 * c.b * angle.sin().square();
+  s(zone) = c.c0, s(2 * zone) = 1;
+  return s;
+}
+
+Profile carter_profile(const Scene& scene, const Carter& c) {
+  constexpr int zone = 100;  // intervals to each zone
+  const Eigen::ArrayXd s = carter_points(c, zone);
+  const HeatFlux flux = carter_flux(c);
+  Profile x{s, s, s, s, s, s};
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    x.pressure(i) = hertz_pressure(s(i));
+    x.traction(i) = carter_traction(c, s(i));
+    x.slip(i) = carter_slip(c, s(i));
+    x.heat_flux(i) = x.slip(i) * x.pressure(i);
+    x.temperature(i) = temperature(flux, scene.peclet, s(i)).value;
+  }
+  return x;
+}
+
+Peaks peaks_of(const Solution&, const Carter& c) {
+  const double h = c.slip_half_width, middle = 3 * h - 2 * c.b;
+  const double root = std::sqrt(middle * middle + 16 * h * c.b);
+  const double u = middle > 0 ? (middle + root) / (8 * h) : 2 * c.b / (root - middle);
+  return {hertz_pressure(0), c.friction * hertz_pressure(std::max(c.c0, 0.0)),
+          carter_flux(c).density(2 * h * u, 2 * h * (1 - u))};
+}
+
+Peaks peaks_of(const Solution& solution, const PrintedSolution& x) {
+  Peaks peak{0, 0, 0};
+  for (Eigen::Index k = 0; k < x.grid.t.size(); ++k) {
+    const double s = x.grid.t(k), pressure = printed_pressure(x, s);
+    peak.pressure = std::max(peak.pressure, pressure);
+    peak.traction = std::max(peak.traction, printed_traction(x, solution.scene.friction, s));
+    peak.heat_flux = std::max(peak.heat_flux, pressure * x.slip(k));
+  }
+  return peak;
+}
+
+/// y at a point, by the polynomial through the five nodes about it.
+double by_five(const Eigen::ArrayXd& s, const Eigen::ArrayXd& y, double at) {
+  const Eigen::Index above = (s < at).count();
+  const Eigen::Index first = std::clamp<Eigen::Index>(above - 2, 0, s.size() - 5);
+  double sum = 0;
+  for (Eigen::Index i = first; i < first + 5; ++i) {
+    double term = y(i);
+    for (Eigen::Index j = first; j < first + 5; ++j)
+      if (j != i) term *= (at - s(j)) / (s(i) - s(j));
+    sum += term;
+  }
+  return sum;
+}
+
+/// The largest value of a curve and where it is.
+struct Top {
+  double at, value;
+};
+
+/// From the largest y at the nodes s to the top of the curve between its neighbours.
+template <class Function>
+Top top(const Eigen::ArrayXd& s, const Eigen::ArrayXd& y, const Function& curve) {
+  Eigen::Index k = 0;
+  const double highest = y.maxCoeff(&k);
+  if (k == 0 || k == s.size() - 1) return {s(k), highest};
+  const auto depth = [&](double at) { return -curve(at); };
+  const double at = minimum(depth, s(k - 1), s(k), s(k + 1));
+  return {at, curve(at)};
+}
+
+Peaks peaks_of(const Solution& solution, const CoupledSolution& x) {
+  const Profile y = profile(solution.scene, solution.approach.formulation, x);
+  const double c0 = x.value(border);
+  const HeatFlux flux = coupled_flux(x);
+  const Eigen::ArrayXd factor = y.pressure / ((1 - y.s) * (1 + y.s)).sqrt();
+  const auto pressure = [&](double s) {
+    return std::sqrt((1 - s) * (1 + s)) * by_five(y.s, factor, s);
+  };
+  const auto heat_flux = [&](double s) { return s > c0 ? flux.density(s - c0, 1 - s) : 0; };
+  const Top p = top(y.s, y.pressure, pressure);
+  return {p.value, solution.scene.friction * (p.at < c0 ? pressure(c0) : p.value),
+          top(y.s, y.heat_flux, heat_flux).value};
+}
+
 }  // namespace
 
+Solution solve(const Scene& scene, const Approach& approach, const Given& given) {
+  check_case(scene, given);
+  if (approach.method == Method::coupled) return solve_by_newton(scene, approach, given);
+  if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
+  if (given.quantity != traction)
+    throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
+  return solve_gauss_chebyshev(scene, approach);
+}
+
 Solution solve(const Scene& scene, const Approach& approach) {
-  check(scene);
-  return approach.method == Method::closed_form ? solve_closed_form(scene, approach)
-                                                : solve_gauss_chebyshev(scene, approach);
+  return solve(scene, approach, {traction, scene.traction});
+}
+
+Profile profile(const Solution& x) {
+  if (const auto* coupled = std::get_if<CoupledSolution>(&x.found))
+    return profile(x.scene, x.approach.formulation, *coupled);
+  if (const auto* closed = std::get_if<Carter>(&x.found)) return carter_profile(x.scene, *closed);
+  throw std::invalid_argument(
+      "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
+      "temperature is infinite");
+}
+
+Peaks peaks(const Solution& x) {
+  return std::visit([&](const auto& found) { return peaks_of(x, found); }, x.found);
 }
 
 PhysicalResults in_si_units(const Solution& x, const PhysicalCase& c) {
   const Units unit = units_of(c, x.scene.friction);
+  const Peaks peak = peaks(x);
   const double hertz = hertz_half_width(x.value.load_ratio * c.load, 1, c.shear_modulus, c.poisson);
   return {c.half_width,
           c.half_width * c.half_width / (hertz * hertz),
           x.value.creep * unit.slip / c.speed,
           2 / pi * unit.traction,
-          x.peak.pressure * unit.traction,
-          x.peak.traction * unit.traction,
-          x.peak.heat_flux * unit.heat_flux,
+          peak.pressure * unit.traction,
+          peak.traction * unit.traction,
+          peak.heat_flux * unit.heat_flux,
           x.value.max_temperature * unit.temperature};
 }
 
-double half_width_of_radius(PhysicalCase c, double radius, double friction, double traction,
+double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
                             const Approach& approach) {
   require(radius > 0, "radius", radius, "positive");
   c.half_width = radius;  // any positive length, for the check
@@ -108,25 +240,27 @@ double half_width_of_radius(PhysicalCase c, double radius, double friction, doub
   for (int step = 0; step < 50 && kappa > 0; ++step) {
     const double before = kappa;
     c.half_width = hertz_half_width(kappa * c.load, radius, c.shear_modulus, c.poisson);
-    kappa = solve(scene_of(c, friction, traction), approach).value.load_ratio;
-    if (std::abs(kappa - before) <= 1e-9 * before) return c.half_width;
+    const Solution x = solve(scene_of(c, friction, given.value), approach, given);
+    kappa = x.value.load_ratio;
+    const double error = x.error ? x.error->load_ratio : 0;
+    if (std::abs(kappa - before) <= 1e-9 * before + error) return c.half_width;
   }
   throw NotConverged("no half-width found for radius = " + std::to_string(radius) + " m");
 }
 
-Curve temperature_curve(const Scene& scene, const Approach& approach, const std::vector<double>& at,
-                        double depth) {
-  check(scene);
+Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {
   require(depth >= 0, "depth", depth, "zero or positive");
-  if (approach.method == Method::gauss_chebyshev) {
+  if (const auto* scheme = std::get_if<PrintedSolution>(&x.found)) {
     require(depth == 0, "depth", depth, "0 with gauss-chebyshev, whose rule is for the surface");
-    return scheme_curve(scene, approach, at);
+    return scheme_curve(x.scene, *scheme, at);
   }
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(std::get<Carter>(x.found));
+  const double flux_error = coupled ? x.error->max_temperature : 0;
   Curve curve;
-  const HeatFlux flux = carter_flux(carter(scene.friction, scene.traction));
   for (const double s : at) {
-    const Estimate t = temperature(flux, scene.peclet, s, depth);
-    curve.points.push_back({s, t.value, t.error});
+    const Estimate t = temperature(flux, x.scene.peclet, s, depth);
+    curve.points.push_back({s, t.value, t.error + flux_error});
   }
   return curve;
 }

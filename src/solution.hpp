@@ -3,40 +3,41 @@
 
 #include <optional>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
+#include "carter.hpp"
+#include "coupled.hpp"
 #include "kernels.hpp"
+#include "printed_scheme.hpp"
 #include "scene.hpp"
 
 namespace thermoroll {
 
-/// Carter's closed form without thermal deformation, or the published Gauss-Chebyshev scheme.
-enum class Method { closed_form, gauss_chebyshev };
+/// Carter's closed form without thermal deformation, the published Gauss-Chebyshev scheme, or the
+/// coupled solver.
+enum class Method { closed_form, gauss_chebyshev, coupled };
 
 /// How a scene is to be solved.
 struct Approach {
-  Method method = Method::gauss_chebyshev;
-  Formulation formulation = Formulation::printed;  ///< makes no difference to the closed form
-  int nodes = 200;                                 ///< 3 to 5000; not used by the closed form
+  Method method = Method::coupled;
+  Formulation formulation = Formulation::corrected;  ///< makes no difference to the closed form
+  int nodes = 200;                                   ///< of the scheme, 3 to 5000
+  double tolerance = 1e-6;                           ///< of the coupled solver, 1e-11 to 1e-2
 };
 
 /// What is reported of a solved scene; dimensionless.
 struct Results {
+  double traction;            ///< Q*
   double stick_slip_border;   ///< c0
   double creep_constant;      ///< the constant of @eq:stick as solved, xi* + f gamma0
   double creep;               ///< xi*, @eq:true-creep
   double load_ratio;          ///< kappa = P_H / P, @eq:kappa
   double gamma0;              ///< the constant of @eq:discrete-normal
+  double eccentricity;        ///< pi gamma0 / (2 kappa), of the contact from the axis
   double heat_integral;       ///< the integral of v* p*
   double max_temperature;     ///< the largest T* on the surface
   double max_temperature_at;  ///< s there
-};
-
-/// Largest values over the contact; dimensionless.
-struct Peaks {
-  double pressure;   ///< of p*
-  double traction;   ///< of q*
-  double heat_flux;  ///< of v* p*
 };
 
 /// A scene, how it was solved, and what came out.
@@ -45,16 +46,28 @@ struct Solution {
   Approach approach;
   Results value;
   std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
-  Peaks peak;                    ///< of the scheme: over its nodes
-  int outer_iterations = 0;
-  int inner_iterations = 0;  ///< the largest count of any outer step
+  std::variant<Carter, PrintedSolution, CoupledSolution> found;
   bool converged = true;
 };
 
-/// Solve the scene. Throws std::invalid_argument for a scene or a node count out of range and
-/// std::runtime_error for an integral that is not resolved; an iteration that does not converge
-/// is told by `converged`.
-Solution solve(const Scene& scene, const Approach& approach);
+/// Solve the scene for what is given (scene.traction is not used then), or for its traction.
+/// Throws std::invalid_argument for data out of range or a quantity that the method cannot start
+/// from, and std::runtime_error where the coupled solver finds no solution or an integral is not
+/// resolved; an iteration of the scheme that does not converge is told by `converged`.
+Solution solve(const Scene& scene, const Approach& approach, const Given& given);
+Solution solve(const Scene& scene, const Approach& approach = {});
+
+/// Largest values over the contact; dimensionless.
+struct Peaks {
+  double pressure;   ///< of p*
+  double traction;   ///< of q*
+  double heat_flux;  ///< of v* p*
+};
+
+Peaks peaks(const Solution& x);
+
+/// All profiles along the contact. Throws std::invalid_argument for the scheme.
+Profile profile(const Solution& x);
 
 /// What is reported of a case in SI units, beside the dimensionless results.
 struct PhysicalResults {
@@ -77,8 +90,8 @@ struct NotConverged : std::runtime_error {
 };
 
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
-/// solve(); c.half_width is not used. Throws std::invalid_argument, NotConverged.
-double half_width_of_radius(PhysicalCase c, double radius, double friction, double traction,
+/// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.
+double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
                             const Approach& approach);
 
 /// T* at one point, with its estimated absolute error where the method has one.
@@ -93,8 +106,8 @@ struct Curve {
   bool converged = true;
 };
 
-/// T* at the points s, at a depth in units of a (0 for the scheme). Throws as solve() does.
-Curve temperature_curve(const Scene& scene, const Approach& approach, const std::vector<double>& at,
-                        double depth);
+/// T* at the points s, at a depth in units of a (0 for the scheme). Throws std::invalid_argument,
+/// and std::runtime_error where an integral is not resolved.
+Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth);
 
 }  // namespace thermoroll
