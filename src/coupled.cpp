@@ -52,7 +52,9 @@ Rule make_rule(int n) {
     gsl_integration_glfixed_point(-1, 1, i, &rule.x(i), &rule.w(i), table);
   gsl_integration_glfixed_table_free(table);
   rule.u = (1 + rule.x) / 2, rule.cube = rule.u.cube();
-  const MatrixXd p = legendre(rule.x, n);
+  const MatrixXd all = legendre(rule.x, n + 1), p = all.leftCols(n);
+  const ArrayXd slope_of_p_n = n * (all.col(n - 1).array() - rule.x * all.col(n).array());
+  rule.w = 2 * (1 - rule.x.square()) / slope_of_p_n.square();
   const ArrayXd l = ArrayXd::LinSpaced(n, 0, n - 1);
   rule.to_legendre = (l + 0.5).matrix().asDiagonal() * p.transpose() * rule.w.matrix().asDiagonal();
   MatrixXd slope = MatrixXd::Zero(n, n);  // (x^2 - 1) P_l' = l (x P_l - P_{l-1})
@@ -330,7 +332,7 @@ double tail(const VectorXd& h) {
 /// the tail has shrunk meanwhile.
 Values estimate(const Values& change, const Values& before, double shrunk, int n) {
   const Values believed = change.max(0.1 * before).max(0.1 * change.maxCoeff());
-  return 3 * std::min(1.0, 2 * shrunk) * believed + 1e-13 * n;
+  return 5 * std::min(1.0, 2 * shrunk) * believed + 1e-14 * n;
 }
 
 /// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.

@@ -13,7 +13,7 @@
 namespace thermoroll {
 namespace {
 
-constexpr int degree = 8;
+constexpr int degree = 9;
 constexpr int shift = 52 - 3;  // 52 bits of mantissa, the first 3 name one of eight cells
 
 std::uint64_t bits_of(double x) {

@@ -12,8 +12,8 @@ struct SlopeAndStrain {
 /// term where terms cancel).
 SlopeAndStrain fast_slope_and_strain(double zeta);
 
-/// kernel::M at the surface from a table, zeta != 0; relative error below 1e-13, or below 1e-300
-/// where it underflows.
+/// kernel::M at the surface from a table, zeta != 0; error below 1e-13 of kernel::M(-|zeta|), that
+/// is, of what the same source does downstream.
 double fast_temperature(double zeta);
 
 }  // namespace thermoroll
