@@ -102,7 +102,7 @@ Curve scheme_curve(const Scene& scene, const PrintedSolution& x, const std::vect
   return curve;
 }
 
-Eigen::ArrayXd carter_points(const Carter& c, int zone) {
+Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
   const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(zone + 1, 0, pi / 2);
   Eigen::ArrayXd s(2 * zone + 1);
   s.tail(zone + 1) = c.c0 + 2 * c.slip_half_width * angle.sin().square();
@@ -112,7 +112,7 @@ Eigen::ArrayXd carter_points(const Carter& c, int zone) {
 }
 
 Profile carter_profile(const Scene& scene, const Carter& c) {
-  constexpr int zone = 100;  // intervals to each zone
+  constexpr Eigen::Index zone = 100;  // intervals to each zone
   const Eigen::ArrayXd s = carter_points(c, zone);
   const HeatFlux flux = carter_flux(c);
   Profile x{s, s, s, s, s, s};
