@@ -1,0 +1,776 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "carter.hpp"
+#include "claims.hpp"
+#include "coupled.hpp"
+#include "first_order.hpp"
+#include "quadrature.hpp"
+#include "reference.hpp"
+#include "temperature.hpp"
+
+// The peak of what the process holds on the heap. Eigen and GSL call malloc, so that counting
+// operator new would not see them; glibc lets a program put its own in front. The sanitizers have
+// put theirs there already.
+std::atomic<long> held{0}, most_held{0};
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+constexpr bool counts_memory = false;
+#else
+#include <malloc.h>
+constexpr bool counts_memory = true;
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void __libc_free(void* block);
+
+static void* counted(void* block) {
+  const long now = held += static_cast<long>(malloc_usable_size(block));
+  for (long most = most_held; now > most && !most_held.compare_exchange_weak(most, now);) {
+  }
+  return block;
+}
+void* malloc(std::size_t size) { return counted(__libc_malloc(size)); }
+void* calloc(std::size_t count, std::size_t size) { return counted(__libc_calloc(count, size)); }
+void* realloc(void* block, std::size_t size) {
+  held -= static_cast<long>(malloc_usable_size(block));
+  return counted(__libc_realloc(block, size));
+}
+void free(void* block) {
+  held -= static_cast<long>(malloc_usable_size(block));
+  __libc_free(block);
+}
+}
+#endif
+
+namespace {
+
+using Eigen::Index;
+using reference::close;
+using reference::epsilon;
+using reference::Real;
+using thermoroll::CoupledSolution;
+using thermoroll::Formulation;
+using thermoroll::Given;
+using thermoroll::HeatFlux;
+using thermoroll::Profile;
+using thermoroll::Quantity;
+using thermoroll::Scene;
+using thermoroll::solve_coupled;
+namespace kernel = thermoroll::kernel;
+
+constexpr double friction = 0.6;  // of every figure of the paper
+constexpr Formulation both[] = {Formulation::printed, Formulation::corrected};
+
+double sign_of(Formulation formulation) { return formulation == Formulation::printed ? 1 : -1; }
+
+std::string name_of(Formulation formulation) {
+  return formulation == Formulation::printed ? "printed" : "corrected";
+}
+
+// Solve for the traction of the scene.
+CoupledSolution solve(const Scene& scene, Formulation formulation, double tolerance) {
+  return solve_coupled(scene, formulation, tolerance, {thermoroll::traction, scene.traction});
+}
+
+// Slow and fast, little heat and much, a slip zone of a twentieth and of two thirds.
+const Scene scenes[] = {
+    {0.6, 0.5, 4360, 0.0175}, {0.6, 0.5, 100, 1}, {0.3, 0.06, 2, 3}, {0.9, 0.8, 300, 0.2}};
+
+// What heat does, @eq:thermal-sides, by the adaptive quadrature of the kernels over the heat flux;
+// it has no rays, no Legendre polynomials and no tables.
+class Heat {
+ public:
+  Heat(const Scene& scene, Formulation formulation, const CoupledSolution& x)
+      : scene_(scene), sign_(sign_of(formulation)), flux_(thermoroll::coupled_flux(x)) {}
+
+  // The integrals of N1 and N2 with the heat, from a point of the stick zone at the distance gap
+  // from c0, or from a point of the slip zone at the distances left and right from its ends.
+  struct Response {
+    double slope, strain;
+  };
+  Response from_stick(double gap) const { return response(gap, 0, length()); }
+  Response from_slip(double left, double right) const { return response(0, left, right); }
+  Response from(double border_distance) const {  // negative in the stick zone
+    return border_distance > 0 ? from_slip(border_distance, length() - border_distance)
+                               : from_stick(-border_distance);
+  }
+  // F and G.
+  double normal(const Response& x) const { return -sign_ * strength() * x.slope; }
+  double tangential(const Response& x) const {
+    return strength() * (x.strain / thermoroll::pi - sign_ * scene_.friction * x.slope);
+  }
+  double strength() const { return scene_.friction * scene_.peclet * scene_.heating; }
+
+ private:
+  double length() const { return flux_.to - flux_.from; }
+  // Over the distance u from the nearest point of the slip zone, from -left to right.
+  Response response(double gap, double left, double right) const {
+    std::vector<double> points{-left, 0, right};
+    for (double width : {1 / scene_.peclet, gap, left, right})
+      for (width = std::max(width, 1e-9 * length()); width < length(); width *= 16)
+        for (const double u : {-width, width})
+          if (-left + width / 4 < u && u < right - width / 4) points.push_back(u);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const auto integral = [&](double (*of)(double), const std::vector<double>& panels) {
+      const auto integrand = [&](double u) {
+        return of(scene_.peclet * (gap + u)) * flux_.density(left + u, right - u);
+      };
+      return panels.size() < 2 ? 0 : thermoroll::integrate(integrand, panels).value;
+    };
+    const auto upstream = std::lower_bound(points.begin(), points.end(), 0.0);
+    return {integral(kernel::N1, {upstream, points.end()}), integral(kernel::N2, points)};
+  }
+  Scene scene_;
+  double sign_;
+  HeatFlux flux_;
+};
+
+// A polynomial through values at nodes in (-1, 1), in the barycentric form.
+class Polynomial {
+ public:
+  void add(Real at, Real value) {
+    nodes_.push_back(at);
+    values_.push_back(value);
+  }
+  void prepare() {
+    weights_.assign(nodes_.size(), 1);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (std::size_t j = 0; j < nodes_.size(); ++j)
+        if (i != j) weights_[i] /= nodes_[i] - nodes_[j];
+  }
+  Real operator()(Real at) const {
+    Real above = 0, below = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (at == nodes_[i]) return values_[i];
+      above += weights_[i] / (at - nodes_[i]) * values_[i];
+      below += weights_[i] / (at - nodes_[i]);
+    }
+    return above / below;
+  }
+
+ private:
+  std::vector<Real> nodes_, values_, weights_;
+};
+
+// A profile between its nodes. Pressure over sqrt(1 - s^2) and corrective traction over w are
+// smooth in the angles of @eq:angles, on the stick zone in the logarithm that stretches its angle.
+class Between {
+ public:
+  Between(const Scene& scene, const CoupledSolution& x, const Profile& profile)
+      : c0_(x.value(thermoroll::border)), fine_(3 * std::sqrt((1 - c0_) / (1 + c0_))) {
+    for (Index i = 0; i < profile.s.size(); ++i) {
+      const Real s = profile.s(i), p = profile.pressure(i);
+      const bool slips = profile.s(i) > x.value(thermoroll::border);
+      (slips ? on_slip_ : on_stick_).add(place(s - c0_), p / std::sqrt((1 - s) * (1 + s)));
+      if (slips) continue;
+      const Real corrective = profile.traction(i) - scene.friction * p;
+      correction_.add(place(s - c0_), corrective / std::sqrt((1 + s) * (c0_ - s)));
+    }
+    for (Polynomial* polynomial : {&on_slip_, &on_stick_, &correction_}) polynomial->prepare();
+  }
+  Real border() const { return c0_; }
+  // p* at the distances from c0 (negative in the stick zone) and from the nearer end of the
+  // contact.
+  Real pressure(Real from_border, Real from_end) const {
+    const Real factor = (from_border > 0 ? on_slip_ : on_stick_)(place(from_border));
+    return factor * std::sqrt(from_end * (2 - from_end));
+  }
+  // q0* at the distances from both ends of the stick zone.
+  Real corrective(Real from_left, Real from_border) const {
+    return correction_(place(-from_border)) * std::sqrt(from_left * from_border);
+  }
+
+ private:
+  // Legendre's variable for the distance from the border.
+  Real place(Real from_border) const {
+    if (from_border > 0)
+      return 4 / reference::pi * std::asin(std::sqrt(std::min(1.0L, from_border / (1 - c0_)))) - 1;
+    const Real angle = 2 * std::asin(std::sqrt(std::min(1.0L, -from_border / (1 + c0_))));
+    return 2 * std::log1p(angle / fine_) / std::log1p(reference::pi / fine_) - 1;
+  }
+  Real c0_, fine_;
+  Polynomial on_slip_, on_stick_, correction_;
+};
+
+// The integral of f(s - c0, distance from the nearer end) over the whole contact.
+template <class F>
+Real over_contact(Real c0, F f, Real step = 1 / 16.0L) {
+  return reference::integral([&](Real left, Real right) { return f(-right, left); }, 1 + c0, step) +
+         reference::integral([&](Real left, Real right) { return f(left, right); }, 1 - c0, step);
+}
+
+// Visit the nodes of the rule of reference::integral: f(weight, left, right), for several sums at
+// once.
+template <class F>
+void over_weighted(Real length, Real step, F f) {
+  for (int i = static_cast<int>(-4.5L / step); static_cast<Real>(i) * step <= 4.5L; ++i) {
+    const Real t = static_cast<Real>(i) * step;
+    const Real ratio = std::exp(-reference::pi * std::sinh(std::abs(t)));
+    const Real near = length * ratio / (1 + ratio), far = length / (1 + ratio);
+    const Real weight =
+        length * step * reference::pi * std::cosh(t) * ratio / ((1 + ratio) * (1 + ratio));
+    t < 0 ? f(weight, near, far) : f(weight, far, near);
+  }
+}
+
+// A few points of either zone, as distances from the border, near its ends too.
+std::vector<double> points_of_stick(double c0) {
+  return {-0.98 * (1 + c0), -0.6 * (1 + c0), -0.3 * (1 + c0), -0.05 * (1 + c0), -0.002 * (1 + c0)};
+}
+std::vector<double> points_of_slip(double c0) {
+  return {0.002 * (1 - c0), 0.05 * (1 - c0), 0.4 * (1 - c0), 0.8 * (1 - c0), 0.99 * (1 - c0)};
+}
+
+}  // namespace
+
+// @eq:pressure-conditions and @eq:stick-conditions typed once more, F and G by the adaptive
+// quadrature: for a given border they must give the reported constants, to their error estimate.
+// The outer integrals are tanh-sinh ones, which leave 1e-10 of F and G at this step.
+TEST(Coupled, ThermalSidesAgainstAdaptiveQuadrature) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
+      const double c = thermoroll::carter(scene.friction, scene.traction).c0;
+      const CoupledSolution x = solve_coupled(scene, formulation, 1e-9, {thermoroll::border, c});
+      ASSERT_EQ(x.value(thermoroll::border), c);
+      const Heat heat(scene, formulation, x);
+      const Real c0 = c, f = scene.friction, a0 = (1 + c0) / 2, step = 1 / 10.0L;
+      // The four integrals with F (its weights 1 and t) and G (1 and r + b0), in one pass a zone.
+      Real f_0 = 0, f_1 = 0, g_0 = 0, g_1 = 0, largest = 0;
+      const auto add = [&](Real& sum, Real weight, Real value) {
+        sum += weight * value;
+        largest = std::max(largest, std::abs(value));
+      };
+      over_weighted(1 - c0, step, [&](Real weight, Real left, Real right) {
+        const double at = static_cast<double>(left), end = static_cast<double>(right);
+        const Real normal = heat.normal(heat.from_slip(at, end));
+        weight /= std::sqrt(right * (2 - right));
+        add(f_0, weight, normal);
+        add(f_1, weight * (1 - right), normal);
+      });
+      over_weighted(1 + c0, step, [&](Real weight, Real left, Real right) {
+        const Heat::Response response = heat.from_stick(static_cast<double>(right));
+        const Real normal = heat.normal(response), tangential = heat.tangential(response);
+        const Real in_f = weight / std::sqrt(left * (2 - left));
+        const Real in_g = weight / std::sqrt(left * right);
+        add(f_0, in_f, normal);
+        add(f_1, in_f * (left - 1), normal);
+        add(g_0, in_g, tangential);
+        add(g_1, in_g * (left - a0), tangential);
+      });
+      const Real gamma0 = f_0 / reference::pi, kappa = 1 + f_1;
+      const Real constant = g_0 / reference::pi + f * kappa / reference::pi * (1 - c0);
+      const Real force = f - f * kappa * a0 * a0 + g_1;
+      const Real rule = 1e-10L * largest;
+      const auto agree = [&](Quantity quantity, Real expected) {
+        return close(x.value(quantity), expected, x.error(quantity) + rule);
+      };
+      EXPECT_TRUE(agree(thermoroll::gamma0, gamma0));
+      EXPECT_TRUE(agree(thermoroll::load_ratio, kappa));
+      EXPECT_TRUE(agree(thermoroll::creep_constant, constant));
+      EXPECT_TRUE(agree(thermoroll::creep, constant - f * gamma0));
+      EXPECT_TRUE(agree(thermoroll::traction, force));
+      EXPECT_TRUE(
+          agree(thermoroll::heat, thermoroll::total_heat(thermoroll::coupled_flux(x)).value));
+      EXPECT_TRUE(close(x.eccentricity, reference::pi * gamma0 / (2 * kappa),
+                        2 * (x.error(thermoroll::gamma0) + rule)));
+    }
+}
+
+// Hertz and Carter, to a few hundred roundings; all quantities are of order one or below.
+TEST(Coupled, WithoutHeatItIsTheClosedForm) {
+  for (const double f : {0.05, 0.6, 1.0})
+    for (const double share : {1e-3, 0.1, 0.5, 5 / 6.0, 0.999})
+      for (const Formulation formulation : both) {
+        const double q = f * share, peclet = 200;
+        SCOPED_TRACE(::testing::Message() << "f = " << f << ", Q* = " << q);
+        const thermoroll::Carter c = thermoroll::carter(f, q);
+        const Scene scene{f, q, peclet, 0};
+        const CoupledSolution x = solve(scene, formulation, 1e-8);
+        const auto found = [&](Quantity quantity, double expected) {
+          return close(x.value(quantity), expected, 1e-13L);
+        };
+        EXPECT_TRUE(found(thermoroll::border, c.c0));
+        EXPECT_TRUE(found(thermoroll::traction, q));
+        EXPECT_TRUE(found(thermoroll::creep_constant, c.creep));
+        EXPECT_TRUE(found(thermoroll::creep, c.creep));
+        EXPECT_TRUE(found(thermoroll::load_ratio, 1));
+        EXPECT_TRUE(found(thermoroll::gamma0, 0));
+        EXPECT_TRUE(found(thermoroll::heat, thermoroll::carter_heat(c)));
+        EXPECT_EQ(x.eccentricity, 0);
+        const Profile profile = thermoroll::profile(scene, formulation, x);
+        for (Index i = 0; i < profile.s.size(); ++i) {
+          const double s = profile.s(i), border = x.value(thermoroll::border);
+          EXPECT_TRUE(close(profile.pressure(i), thermoroll::hertz_pressure(s), 1e-13L)) << s;
+          // The border is good to rounding; the root of a node's distance from it, to rounding
+          // over that root. Carter's functions subtract, too. Slip is up to 4 f / pi.
+          const Real edge = 1e-13L + 10 * epsilon / std::sqrt(std::abs(s - border));
+          EXPECT_TRUE(close(profile.traction(i), thermoroll::carter_traction(c, s), edge)) << s;
+          EXPECT_TRUE(close(profile.slip(i), thermoroll::carter_slip(c, s), 2 * edge)) << s;
+          EXPECT_TRUE(close(profile.heat_flux(i),
+                            thermoroll::carter_slip(c, s) * thermoroll::hertz_pressure(s), edge))
+              << s;
+        }
+      }
+}
+
+// @eq:normal with the constant gamma0, at points between the nodes: the principal value of the
+// pressure profile, and F by adaptive quadrature. The tolerance is that of the solution, for what
+// the equation's terms are made of, times the amplification of a pointwise value over an integral.
+TEST(Coupled, PressureSolvesTheNormalEquation) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
+      const double tolerance = 1e-9;
+      const CoupledSolution x = solve(scene, formulation, tolerance);
+      const Heat heat(scene, formulation, x);
+      const Between profile(scene, x, thermoroll::profile(scene, formulation, x));
+      const Real c0 = profile.border(), kappa = x.value(thermoroll::load_ratio);
+      const auto pressure = [&](Real s) {
+        return std::abs(s) >= 1 ? 0 : profile.pressure(s - c0, s < c0 ? 1 + s : 1 - s);
+      };
+      std::vector<double> points = points_of_stick(x.value(thermoroll::border));
+      for (const double point : points_of_slip(x.value(thermoroll::border)))
+        points.push_back(point);
+      for (const double at : points) {
+        const Real s = c0 + at;
+        const Real elastic = reference::principal_value(pressure, {-1, c0, 1}, s) / reference::pi;
+        const Real residual = x.value(thermoroll::gamma0) + elastic - heat.normal(heat.from(at)) +
+                              2 / reference::pi * kappa * s;
+        EXPECT_TRUE(close(residual, 0, 100 * tolerance)) << "s = " << static_cast<double>(s);
+      }
+    }
+}
+
+// @eq:stick on the stick zone, and g = v p at points of the slip zone with v from
+// @eq:slip-velocity; the Cauchy integrals are those of the traction profile, G is by adaptive
+// quadrature.
+TEST(Coupled, SatisfiesItsOwnEquation) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
+      const double tolerance = 1e-9;
+      const CoupledSolution x = solve(scene, formulation, tolerance);
+      const Heat heat(scene, formulation, x);
+      const Profile nodes = thermoroll::profile(scene, formulation, x);
+      const Between profile(scene, x, nodes);
+      const double border = x.value(thermoroll::border);
+      const Real c0 = border, f = scene.friction, kappa = x.value(thermoroll::load_ratio);
+      const auto rigid = [&](double at) {
+        return x.value(thermoroll::creep_constant) + 2 * f / reference::pi * kappa * (c0 + at) -
+               heat.tangential(heat.from(at));
+      };
+      const auto corrective = [&](Real s) {
+        return s <= -1 || s >= c0 ? 0 : profile.corrective(1 + s, c0 - s);
+      };
+      for (const double at : points_of_stick(border)) {
+        const Real elastic =
+            reference::principal_value(corrective, {-1, c0}, c0 + at) / reference::pi;
+        EXPECT_TRUE(close(elastic, rigid(at), 100 * tolerance)) << "s - c0 = " << at;
+      }
+      const HeatFlux flux = thermoroll::coupled_flux(x);
+      for (const double at : points_of_slip(border)) {
+        const Real elastic = reference::integral(
+                                 [&](Real left, Real right) {
+                                   return -profile.corrective(left, right) / (right + at);
+                                 },
+                                 1 + c0) /
+                             reference::pi;
+        const double right = 1 - border - at;
+        const Real pressure = profile.pressure(at, right);
+        EXPECT_TRUE(close(flux.density(at, right), (rigid(at) - elastic) * pressure,
+                          100 * tolerance * pressure))
+            << "s - c0 = " << at;
+      }
+    }
+}
+
+// The largest temperature of all, and those of the profile, against the adaptive quadrature of the
+// heat flux. For a given border the flux is that of the reported values; for a given traction it
+// is off by the last small step of the border, which the tolerance covers.
+TEST(Coupled, TemperatureAgainstAdaptiveQuadrature) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
+        SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet
+                                          << ", tolerance = " << tolerance);
+        const double c0 = thermoroll::carter(scene.friction, scene.traction).c0;
+        const CoupledSolution x =
+            solve_coupled(scene, formulation, tolerance, {thermoroll::border, c0});
+        const thermoroll::Peak peak =
+            thermoroll::max_temperature(thermoroll::coupled_flux(x), scene.peclet);
+        EXPECT_TRUE(close(x.value(thermoroll::hottest), peak.temperature.value,
+                          x.error(thermoroll::hottest) + peak.temperature.error));
+        EXPECT_TRUE(close(x.value(thermoroll::hottest_at), peak.at,
+                          x.error(thermoroll::hottest_at) + peak.at_error));
+      }
+      const double tolerance = 1e-8;
+      const CoupledSolution x = solve(scene, formulation, tolerance);
+      const HeatFlux flux = thermoroll::coupled_flux(x);
+      const double top = x.value(thermoroll::hottest);
+      const Profile profile = thermoroll::profile(scene, formulation, x);
+      for (Index i = 0; i < profile.s.size(); i += 5) {
+        const thermoroll::Estimate exact =
+            thermoroll::temperature(flux, scene.peclet, profile.s(i));
+        EXPECT_TRUE(close(profile.temperature(i), exact.value, tolerance * top + exact.error))
+            << "s = " << profile.s(i);
+        EXPECT_LE(profile.temperature(i), top * (1 + tolerance));
+      }
+    }
+}
+
+// The true error, against a solution a hundred times finer or more, exceeds the estimate in fewer
+// than one in a hundred random cases, and never by more than ten times. A scene may be refused;
+// a wrong number may not be given. The finer solution's own estimate, one hundredth, is allowed.
+TEST(Coupled, ErrorEstimateIsHonest) {
+  std::mt19937_64 random(20020101);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  int compared = 0, exceeded = 0, refused = 0, solved = 0;
+  double worst = 0;
+  std::ostringstream list;
+#ifdef NDEBUG
+  constexpr int count = 250;
+#else
+  constexpr int count = 25;  // enough for the sanitizers
+#endif
+  for (int i = 0; i < count; ++i) {
+    const double f = uniform(0.05, 1), q = f * uniform(0.02, 0.98);
+    const Scene scene{f, q, std::pow(10, uniform(-1, 6)), std::pow(10, uniform(-3, 1))};
+    const Formulation formulation = both[i % 2];
+    // From the finest: 1e-10 takes most of the time and is done for one scene in five.
+    thermoroll::Values finer = thermoroll::Values::Zero(), finer_error = finer;
+    for (const double tolerance : {1e-10, 1e-8, 1e-6, 1e-3}) {
+      if (tolerance == 1e-10 && i % 5 != 0) continue;
+      CoupledSolution x;
+      try {
+        x = solve(scene, formulation, tolerance);
+        ++solved;
+      } catch (const std::runtime_error&) {
+        ++refused;
+        continue;
+      }
+      ASSERT_TRUE(x.value.allFinite() && x.error.allFinite());
+      ASSERT_GT(x.error.minCoeff(), 0);
+      if (finer_error(0) > 0) {
+        const double excess = ((x.value - finer).abs() / (x.error + finer_error)).maxCoeff();
+        ++compared;
+        worst = std::max(worst, excess);
+        if (excess > 1) {
+          ++exceeded;
+          list << "\n  " << excess << " times at f = " << f << ", Q* = " << q
+               << ", Pe = " << scene.peclet << ", H = " << scene.heating << ", "
+               << name_of(formulation) << ", tolerance " << tolerance << ", n = " << x.unknowns;
+        }
+      }
+      finer = x.value;
+      finer_error = x.error;
+    }
+  }
+  const std::string counts = std::to_string(solved) + " solved, " + std::to_string(refused) +
+                             " refused, " + std::to_string(compared) + " compared, " +
+                             std::to_string(exceeded) + " beyond their estimate" + list.str();
+  EXPECT_GT(compared, 1.6 * count) << counts;
+  EXPECT_LT(exceeded, 0.01 * compared) << counts;
+  EXPECT_LE(worst, 10) << counts;
+}
+
+// Two other programs: values at a given border to nine digits or so (the last of H = 1 to seven),
+// and an independent solver's six digits at the paper's data.
+TEST(Coupled, AgreesWithConvergedReferences) {
+  struct Row {
+    Formulation formulation;
+    double heating, traction, load_ratio, gamma0, creep, hottest, unit;  // unit: of the last digit
+  };
+  for (const Row& row : {Row{Formulation::corrected, 0.0175, 0.4998643602, 1.0012320729,
+                             7.933569e-4, 0.2252891196, 0.0144856409, 2e-10},
+                         Row{Formulation::corrected, 1, 0.48120098, 1.06137963, 0.03904969,
+                             0.18040203, 0.01223361, 1.5e-8},
+                         Row{Formulation::printed, 0.0175, 0.5000474349, 0.9987725488, -7.933124e-4,
+                             0.2255916504, 0.0144915966, 2e-10}}) {
+    const CoupledSolution x = solve_coupled({friction, 0, 100, row.heating}, row.formulation, 1e-9,
+                                            {thermoroll::border, -0.1845});
+    SCOPED_TRACE(::testing::Message() << name_of(row.formulation) << ", H = " << row.heating);
+    EXPECT_TRUE(close(x.value(thermoroll::traction), row.traction, row.unit + 1e-9));
+    EXPECT_TRUE(close(x.value(thermoroll::load_ratio), row.load_ratio, row.unit + 1e-9));
+    EXPECT_TRUE(close(x.value(thermoroll::gamma0), row.gamma0, row.unit + 1e-9));
+    EXPECT_TRUE(close(x.value(thermoroll::creep), row.creep, row.unit + 1e-9));
+    EXPECT_TRUE(close(x.value(thermoroll::hottest), row.hottest, row.unit + 1e-9 * row.hottest));
+    if (row.formulation == Formulation::corrected && row.heating < 1) {
+      EXPECT_TRUE(close(x.value(thermoroll::hottest_at), 0.85467, 0.5e-5 + 1e-6));
+    }
+  }
+  struct Six {
+    Formulation formulation;
+    double load_loss, gamma0, border, creep;
+  };
+  for (const Six& six : {Six{Formulation::printed, 0.001455, -0.000846, -0.184130, 0.225535},
+                         Six{Formulation::corrected, -0.001461, 0.000847, -0.185272, 0.225413}}) {
+    const CoupledSolution x = solve({friction, 0.5, 4360, 0.0175}, six.formulation, 1e-8);
+    SCOPED_TRACE(name_of(six.formulation));
+    EXPECT_TRUE(close(1 - x.value(thermoroll::load_ratio), six.load_loss, 0.51e-6));
+    EXPECT_TRUE(close(x.value(thermoroll::gamma0), six.gamma0, 0.51e-6));
+    EXPECT_TRUE(close(x.value(thermoroll::border), six.border, 0.51e-6));
+    EXPECT_TRUE(close(x.value(thermoroll::creep), six.creep, 0.51e-6));
+  }
+}
+
+// Vehicle dynamics asks for the force at a given creep; a border can be given as well. All three
+// ways to the same solution meet within their estimates.
+TEST(Coupled, FindsTheTractionOfAGivenCreep) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      const CoupledSolution x = solve(scene, formulation, 1e-8);
+      for (const Quantity given : {thermoroll::creep, thermoroll::border}) {
+        SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet
+                                          << ", given quantity " << given);
+        const CoupledSolution y = solve_coupled(scene, formulation, 1e-8, {given, x.value(given)});
+        // The given quantity is met exactly; its own error in x moves all the others by as much
+        // again, times their derivative, which is below ten.
+        EXPECT_TRUE(close(y.value(given), x.value(given), 4 * epsilon));
+        for (int i = 0; i < thermoroll::quantities; ++i)
+          EXPECT_TRUE(close(y.value(i), x.value(i), x.error(i) + y.error(i) + 10 * x.error(given)))
+              << "quantity " << i;
+      }
+    }
+  // Without heat it is Carter's creep curve.
+  for (const double creep : {0.01, 0.1, 0.3})
+    EXPECT_TRUE(close(solve_coupled({friction, 0, 10, 0}, Formulation::corrected, 1e-8,
+                                    {thermoroll::creep, creep})
+                          .value(thermoroll::traction),
+                      thermoroll::carter_creep_curve(friction, creep), 1e-13L));
+  // What the scene says of the traction is not used.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto force = [&](double traction) {
+    return solve_coupled({friction, traction, 100, 0.5}, Formulation::corrected, 1e-6,
+                         {thermoroll::creep, 0.2})
+        .value(thermoroll::traction);
+  };
+  EXPECT_EQ(force(nan), force(0.3));
+}
+
+TEST(Coupled, RefusesWhatItCannotSolve) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = INFINITY;
+  const Scene good{friction, 0.5, 100, 0.1};
+  const auto refuses = [](const Scene& scene, double tolerance, const Given& given,
+                          const std::string& what) {
+    try {
+      solve_coupled(scene, Formulation::corrected, tolerance, given);
+    } catch (const std::invalid_argument& refusal) {
+      return std::string(refusal.what()).find(what) == 0
+                 ? ::testing::AssertionSuccess()
+                 : ::testing::AssertionFailure() << refusal.what() << " instead of " << what;
+    }
+    return ::testing::AssertionFailure() << "accepted, instead of " << what;
+  };
+  const Given half{thermoroll::traction, 0.3};
+  EXPECT_TRUE(refuses({0, 0, 100, 0.1}, 1e-6, half, "friction = 0 "));
+  EXPECT_TRUE(refuses({-1, 0, 100, 0.1}, 1e-6, half, "friction = -1 "));
+  EXPECT_TRUE(refuses({friction, 0, 0, 0.1}, 1e-6, half, "peclet = 0 "));
+  EXPECT_TRUE(refuses({friction, 0, nan, 0.1}, 1e-6, half, "peclet = nan "));
+  EXPECT_TRUE(refuses({friction, 0, infinity, 0.1}, 1e-6, half, "peclet = inf "));
+  EXPECT_TRUE(refuses({friction, 0, 100, -0.1}, 1e-6, half, "heating = -0.1 "));
+  for (const double tolerance : {0.0, 9e-12, -1.0, nan, infinity})
+    EXPECT_TRUE(refuses(good, tolerance, half, "tolerance = ")) << tolerance;
+  for (const double value : {0.0, -0.1, friction, 0.7, nan, infinity})
+    EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::traction, value}, "traction = ")) << value;
+  for (const double value : {0.0, -0.1, nan, infinity})
+    EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::creep, value}, "creep = ")) << value;
+  for (const double value : {-1.0, 1.0, 1.5, nan, infinity})
+    EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::border, value}, "stick-slip-border = ")) << value;
+  // A creep at which the whole contact slips has no border; as printed, a pressure that heat makes
+  // negative is no contact. Both are said, in one line that names the solver.
+  const auto unsolved = [](const Scene& scene, Formulation formulation, const Given& given) {
+    try {
+      const CoupledSolution x = solve_coupled(scene, formulation, 1e-6, given);
+      return ::testing::AssertionFailure() << "solved: " << x.value.transpose();
+    } catch (const std::runtime_error& refusal) {
+      const std::string line = refusal.what();
+      return line.find("coupled: ") == 0 && line.find('\n') == std::string::npos &&
+                     line.find("nan") == std::string::npos
+                 ? ::testing::AssertionSuccess()
+                 : ::testing::AssertionFailure() << line;
+    }
+  };
+  for (const double creep : {0.4, 1.0, 100.0})
+    EXPECT_TRUE(unsolved(good, Formulation::corrected, {thermoroll::creep, creep})) << creep;
+  for (const double heating : {6.7, 100.0, 1e6, 1e300})
+    EXPECT_TRUE(
+        unsolved({friction, 0, 4360, heating}, Formulation::printed, {thermoroll::traction, 0.5}))
+        << heating;
+  EXPECT_TRUE(
+      unsolved({friction, 0, 4360, 1e9}, Formulation::corrected, {thermoroll::traction, 0.5}));
+}
+
+// Loads and total heat as integrals of the profiles between their nodes, and what holds at every
+// node.
+TEST(Coupled, ProfilesCarryTheLoads) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both)
+      for (const double tolerance : {1e-4, 1e-9}) {
+        SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet
+                                          << ", tolerance = " << tolerance);
+        const CoupledSolution x = solve(scene, formulation, tolerance);
+        const Profile nodes = thermoroll::profile(scene, formulation, x);
+        const Between profile(scene, x, nodes);
+        const Real c0 = profile.border();
+        const Real load = over_contact(
+            c0, [&](Real from_border, Real end) { return profile.pressure(from_border, end); });
+        const Real correction = reference::integral(
+            [&](Real left, Real right) { return profile.corrective(left, right); }, 1 + c0);
+        EXPECT_TRUE(close(load, 1, 10 * tolerance));
+        EXPECT_TRUE(close(scene.friction * load + correction, scene.traction, 10 * tolerance));
+        const Index n = nodes.s.size();
+        for (const Eigen::ArrayXd* column : {&nodes.pressure, &nodes.traction, &nodes.slip,
+                                             &nodes.heat_flux, &nodes.temperature}) {
+          ASSERT_EQ(column->size(), n);
+          EXPECT_TRUE(column->allFinite());
+          EXPECT_GE(column->minCoeff(), 0);
+        }
+        for (Index i = 0; i < n; ++i) {
+          const double p = nodes.pressure(i), limit = scene.friction * p;
+          EXPECT_GT(nodes.s(i), i > 0 ? nodes.s(i - 1) : -1);
+          EXPECT_LT(nodes.s(i), 1);
+          EXPECT_GT(p, 0);
+          EXPECT_TRUE(close(nodes.slip(i) * p, nodes.heat_flux(i), 4 * epsilon));
+          if (nodes.s(i) > x.value(thermoroll::border)) {
+            EXPECT_EQ(nodes.traction(i), limit);
+            EXPECT_GT(nodes.slip(i), 0);
+          } else {
+            EXPECT_LT(nodes.traction(i), limit);
+            EXPECT_EQ(nodes.slip(i), 0);
+          }
+        }
+      }
+}
+
+// Friction turns into heat what the torque loses to creep, less what the tractions do on the
+// thermal strain: f int g = xi Q - (f Pe H/pi) int q int N2 g. It holds for either sign of the
+// slope, which does not enter. (Multiply @eq:slip-velocity, written with q, by q and integrate:
+// a traction does no work on its own Cauchy integral.)
+TEST(Coupled, EnergyBalances) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
+      const CoupledSolution x = solve(scene, formulation, 1e-9);
+      const Heat heat(scene, formulation, x);
+      const Between profile(scene, x, thermoroll::profile(scene, formulation, x));
+      const Real f = scene.friction;
+      const Real work = over_contact(
+          profile.border(),
+          [&](Real from_border, Real end) {
+            const Real q = f * profile.pressure(from_border, end) +
+                           (from_border < 0 ? profile.corrective(end, -from_border) : 0);
+            const double near = static_cast<double>(end);
+            return q * (from_border < 0 ? heat.from_stick(static_cast<double>(-from_border))
+                                        : heat.from_slip(static_cast<double>(from_border), near))
+                           .strain;
+          },
+          1 / 10.0L);
+      const Real lost = heat.strength() / reference::pi * work;
+      const Real paid = x.value(thermoroll::creep) * x.value(thermoroll::traction);
+      EXPECT_GT(std::abs(lost), 1e-4 * paid) << "or it would prove nothing";
+      const Real allowed = f * x.error(thermoroll::heat) +
+                           x.value(thermoroll::traction) * x.error(thermoroll::creep) +
+                           x.value(thermoroll::creep) * x.error(thermoroll::traction) +
+                           1e-8L * std::abs(lost);  // of the profiles
+      EXPECT_TRUE(close(f * x.value(thermoroll::heat), paid - lost, allowed));
+    }
+}
+
+// To first order in H the load ratio and gamma0 are integrals of Carter's heat, and change sign
+// with the formulation. H = 1e-4 leaves f H = 6e-5 for the next order, and of 1 - kappa = 1e-5
+// a tolerance of 1e-10 leaves 1e-5.
+TEST(Coupled, FirstOrderInHeat) {
+  const double heating = 1e-4, tolerance = 1e-10;
+  for (const double traction : {0.2, 0.5})
+    for (const double peclet : {4360.0, 1e6})
+      for (const Formulation formulation : both) {
+        SCOPED_TRACE(::testing::Message()
+                     << name_of(formulation) << ", Q* = " << traction << ", Pe = " << peclet);
+        const reference::FirstOrder first = reference::first_order(traction, peclet);
+        const CoupledSolution x =
+            solve({friction, traction, peclet, heating}, formulation, tolerance);
+        const Real scale = sign_of(formulation) * friction * heating;
+        const Real loss = (1 - x.value(thermoroll::load_ratio)) / scale;
+        const Real gamma0 = x.value(thermoroll::gamma0) / scale;
+        const Real next = 3 * friction * heating;
+        EXPECT_TRUE(close(loss / first.load_loss, 1,
+                          next + tolerance / (friction * heating * first.load_loss)));
+        EXPECT_TRUE(close(gamma0 / first.gamma0, 1,
+                          next + tolerance / (friction * heating * -first.gamma0)));
+        // At Pe = 1e6 the limit of high speed is 1/sqrt(Pe) away.
+        if (peclet < 1e6) continue;
+        const double claimed = friction * 0.0175;  // what claims.hpp is given for
+        EXPECT_TRUE(close(loss * claimed / thermoroll::first_order_load_change(traction), 1, 5e-3));
+        EXPECT_TRUE(close(gamma0 * claimed / thermoroll::first_order_gamma0(traction), 1, 5e-3));
+      }
+}
+
+// Every error that is promised to meet the tolerance does, relative where it is promised so.
+TEST(Coupled, MeetsTheTolerance) {
+  for (const Scene& scene : scenes)
+    for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10}) {
+      const CoupledSolution x = solve(scene, Formulation::corrected, tolerance);
+      for (const Quantity quantity :
+           {thermoroll::border, thermoroll::traction, thermoroll::load_ratio, thermoroll::gamma0})
+        EXPECT_LE(x.error(quantity), tolerance) << quantity;
+      for (const Quantity quantity :
+           {thermoroll::creep_constant, thermoroll::creep, thermoroll::heat, thermoroll::hottest})
+        EXPECT_LE(x.error(quantity), 1.01 * tolerance * x.value(quantity)) << quantity;
+      EXPECT_TRUE(close(x.value(thermoroll::traction), scene.traction, 4 * epsilon));
+      EXPECT_EQ(x.h.size(), x.unknowns);
+      EXPECT_GE(x.newton_steps, 1);
+    }
+}
+
+// Bit for bit, whatever was solved before, and in another thread.
+TEST(Coupled, IsDeterministic) {
+  const Scene scene{friction, 0.5, 4360, 0.0175};
+  const auto same = [&](const CoupledSolution& x, const CoupledSolution& y) {
+    const Profile a = thermoroll::profile(scene, Formulation::corrected, x);
+    const Profile b = thermoroll::profile(scene, Formulation::corrected, y);
+    return (x.value == y.value).all() && (x.error == y.error).all() && x.h == y.h &&
+           (a.s == b.s).all() && (a.pressure == b.pressure).all() &&
+           (a.traction == b.traction).all() && (a.slip == b.slip).all() &&
+           (a.heat_flux == b.heat_flux).all() && (a.temperature == b.temperature).all();
+  };
+  const CoupledSolution first = solve(scene, Formulation::corrected, 1e-8);
+  solve({0.3, 0.1, 7, 2}, Formulation::printed, 1e-9);
+  EXPECT_TRUE(same(first, solve(scene, Formulation::corrected, 1e-8)));
+  CoupledSolution elsewhere;
+  std::thread([&] { elsewhere = solve(scene, Formulation::corrected, 1e-8); }).join();
+  EXPECT_TRUE(same(first, elsewhere));
+}
+
+// The peak of one solve to 1e-8 at the paper's data, with all rules made anew as they are in a new
+// thread, and with the tables of the kernels.
+TEST(Coupled, TakesLittleMemory) {
+  if (!counts_memory) GTEST_SKIP() << "no malloc to count with";
+  for (const Formulation formulation : both) {
+    long before = 0, peak = 0;
+    std::thread([&] {
+      before = held;
+      most_held = before;
+      solve({friction, 0.5, 4360, 0.0175}, formulation, 1e-8);
+      peak = most_held;
+    }).join();
+    EXPECT_GT(peak - before, 10000) << "or nothing was counted";
+    EXPECT_LT(peak - before, 5000000) << name_of(formulation);
+  }
+}
