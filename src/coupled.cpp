@@ -331,8 +331,8 @@ double tail(const VectorXd& h) {
 /// Estimated errors, relative to scale, from this change and the one before, and from how much
 /// the tail has shrunk meanwhile.
 Values estimate(const Values& change, const Values& before, double shrunk, int n) {
-  const Values believed = change.max(0.1 * before).max(0.1 * change.maxCoeff());
-  return 5 * std::min(1.0, 2 * shrunk) * believed + 1e-14 * n;
+  const double believed = std::max(change.maxCoeff(), 0.1 * before.maxCoeff());
+  return Values::Constant(3 * std::min(1.0, 2 * shrunk) * believed + 1e-14 * n);
 }
 
 /// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
@@ -378,6 +378,8 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   checked.traction = scene.friction / 2;  // not used: given takes its place
   check(checked);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+  require(given.quantity == traction || given.quantity == creep || given.quantity == border,
+          "given quantity", given.quantity, "traction, creep or border");
   if (given.quantity == traction) check(Scene{scene.friction, given.value, 1, 0});
   if (given.quantity == creep) require(given.value > 0, "creep", given.value, "positive");
   if (given.quantity == border)
@@ -429,7 +431,9 @@ Profile profile(const Scene& scene, Formulation formulation, const CoupledSoluti
   const ArrayXd g_slope = (stick.derivative * g.tail(m)).array() * dx_dr;
   const ArrayXd q_hat =
       2 * scene.friction / pi * kappa - divided_sums(a.r, g.tail(m), g_slope, a.dtheta) / pi;
-  Profile profile{at, ((1 - at.array()) * (1 + at.array())).sqrt() * p_hat, {}, {}, {}, at};
+  ArrayXd right = 1 - at.array();
+  right.head(n) = (1 - c0) * (a.phi / 2).cos().square();  // keeps its digits near s = 1
+  Profile profile{at, (right * (1 + at.array())).sqrt() * p_hat, {}, {}, {}, at};
   profile.traction = scene.friction * profile.pressure;
   profile.traction.tail(m) -= ((1 + a.r) * a.d).sqrt() * q_hat;
   profile.heat_flux = profile.slip = ArrayXd::Zero(n + m);

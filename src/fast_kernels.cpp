@@ -1,6 +1,7 @@
 // Tangled from paper/10-coupled-solver.md; edit there.
 #include "fast_kernels.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -70,9 +71,8 @@ SlopeAndStrain fast_slope_and_strain(double zeta) {
 }
 
 double fast_temperature(double zeta) {
-  static const Table up([](double x) { return kernel::M(x); });
-  static const Table down([](double x) { return kernel::M(-x); });
-  return zeta > 0 ? up(zeta) : down(-zeta);
+  static const Table scaled([](double x) { return kernel::M(-x); });  // e^x K_0(x)
+  return zeta > 0 ? scaled(zeta) * std::exp(-2 * zeta) : scaled(-zeta);
 }
 
 }  // namespace thermoroll
