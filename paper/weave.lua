@@ -362,9 +362,9 @@ end
 
 -- 6. Tables: numbered captions, tables from CSV -----------------------------------------------------
 
-local function framed_table(content, id, text)
+local function framed_table(content, id, text, class)
   content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
-  local blocks = pandoc.List({ raw(id and '<figure class="table" id="' .. id .. '">' or "<figure>") })
+  local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", id) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
                     raw("</figcaption>") })
@@ -429,7 +429,8 @@ local function generated_table(div)
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
-  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content))
+  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
+                      head:includes("verdict") and "table verdicts")
 end
 
 -- 7. Chunks: the program's parts, where each is told ------------------------------------------------
