@@ -239,13 +239,14 @@ golden: $(data_files) build/figures/temperature-load.svg
 # --- The rest -------------------------------------------------------------------------------------
 
 browser := chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
-  --disable-background-networking --disable-component-update --disable-sync
+  --disable-background-networking --disable-component-update --disable-sync \
+  --no-pdf-header-footer --disable-pdf-tagging
 
 ## pdf: print the report to build/report.pdf (needs chromium)
 pdf: build/report.pdf
 build/report.pdf: build/report.html
 	@profile=$$(mktemp -d); trap 'rm -rf "$$profile"' EXIT; \
-	$(browser) --user-data-dir="$$profile" --no-pdf-header-footer --print-to-pdf=$@.tmp \
+	$(browser) --user-data-dir="$$profile" --print-to-pdf=$@.tmp \
 	  build/report.html 2>build/pdf.log || { cat build/pdf.log; exit 1; }
 	@mv $@.tmp $@
 	@echo "The PDF is $@"

@@ -10,13 +10,22 @@
 -- A mistake ends the run with `file:line: what is wrong`, and nothing is written.
 -- TANGLE_ROOT=DIR   puts the files below DIR instead of the current folder.
 -- TANGLE_LINES=1    adds #line directives, so that compilers and debuggers name the chapter.
--- Loaded with dofile(), it only gives `tangle.parse`, for the weaver.
+-- Loaded with dofile(), it only gives the table `tangle`, for the weaver.
 
 tangle = {}
 
 local function fail(where, line, message)
   io.stderr:write(string.format("%s:%d: %s\n", where, line, message))
   os.exit(1)
+end
+
+--- The text of a file, or nil.
+function tangle.read(path)
+  local file = io.open(path, "rb")
+  if not file then return nil end
+  local text = file:read("a")
+  file:close()
+  return text
 end
 
 -- 1. Parse: a chapter's text to its pieces -------------------------------------------------------
@@ -76,18 +85,30 @@ end
 
 -- 2. Collect: chunks by name, files by path -------------------------------------------------------
 
-local function collect(pieces)
-  local chunks, files, order = {}, {}, {}
+local function check_path(piece)
+  if piece.file:match("^/") or ("/" .. piece.file .. "/"):find("/../", 1, true) then
+    fail(piece.source, piece.line - 1,
+         piece.file .. ": a file is named from the project's folder, without ..")
+  end
+end
+
+--- The pieces of each chunk by its name, the piece that begins each file by its path, and the paths
+--- in order.
+function tangle.collect(pieces)
+  local chunks, files, filed, order = {}, {}, {}, {}
   for _, piece in ipairs(pieces) do
     chunks[piece.id] = chunks[piece.id] or {}
     table.insert(chunks[piece.id], piece)
     if piece.file then
-      local first = files[piece.file]
+      check_path(piece)
+      local first = files[piece.file] or filed[piece.id]
       if first then
-        fail(piece.source, piece.line - 1, string.format("%s is already filed at %s:%d", piece.file,
-                                                         first.source, first.line - 1))
+        local what = files[piece.file] and piece.file .. " is already filed"
+          or string.format("chunk %s is already filed as %s", piece.id, first.file)
+        fail(piece.source, piece.line - 1,
+             string.format("%s at %s:%d", what, first.source, first.line - 1))
       end
-      files[piece.file] = piece
+      files[piece.file], filed[piece.id] = piece, piece
       table.insert(order, piece.file)
     end
   end
@@ -98,6 +119,9 @@ end
 
 local name_pattern = "<<([%w][%w_:/.%-]*)>>"
 
+--- What a reference stands behind, and the name in it; nil for any other line.
+function tangle.reference(line) return line:match("^(%s*)" .. name_pattern .. "%s*$") end
+
 local function expand(id, indent, out, state)
   table.insert(state.chain, id)
   state.used[id] = true
@@ -106,7 +130,7 @@ local function expand(id, indent, out, state)
     local fresh = true -- the next line needs a #line of its own
     for k, line in ipairs(piece.code) do
       local number = piece.line + k - 1
-      local space, name = line:match("^(%s*)" .. name_pattern .. "%s*$")
+      local space, name = tangle.reference(line)
       if name then
         if not state.chunks[name] then
           fail(piece.source, number, "missing chunk: <<" .. name .. ">> is nowhere defined")
@@ -119,6 +143,9 @@ local function expand(id, indent, out, state)
         end
         expand(name, indent .. space, out, state)
         fresh = true
+      elseif line:match("^%s*<<[^<>]*>>%s*$") then
+        fail(piece.source, number,
+             "bad reference: " .. line:match("<<.*>>") .. " is not the name of a chunk")
       elseif line:match(name_pattern) then
         fail(piece.source, number, "a reference must stand alone on its line: " .. line)
       else
@@ -134,25 +161,28 @@ local function expand(id, indent, out, state)
   table.remove(state.chain)
 end
 
+--- The lines of a chunk with every reference replaced, and the chapters they come from. With `lines`
+--- there are #line directives among them; the names of the chunks that were used are added to `used`.
+function tangle.expand(chunks, id, lines, used)
+  local out, state = {}, { chunks = chunks, used = used or {}, from = {}, chain = {}, lines = lines }
+  expand(id, "", out, state)
+  local from = {}
+  for source in pairs(state.from) do table.insert(from, source) end
+  table.sort(from)
+  return out, from
+end
+
 local function header(from)
   local chapters = {}
-  for source in pairs(from) do table.insert(chapters, "paper/" .. source:match("[^/]*$")) end
+  for _, source in ipairs(from) do table.insert(chapters, "paper/" .. source:match("[^/]*$")) end
   table.sort(chapters)
   return "// Tangled from " .. table.concat(chapters, ", ") .. "; edit there."
 end
 
 -- 4. Write: only what changed, never half a file ---------------------------------------------------
 
-local function read(path)
-  local file = io.open(path, "rb")
-  if not file then return nil end
-  local text = file:read("a")
-  file:close()
-  return text
-end
-
 local function write_if_changed(path, text)
-  if read(path) == text then return end
+  if tangle.read(path) == text then return end
   local temporary = path .. ".tmp"
   local file = io.open(temporary, "wb")
   if not file then
@@ -170,13 +200,12 @@ function Reader(sources)
   for _, source in ipairs(sources) do
     for _, piece in ipairs(tangle.parse(source.name, source.text)) do table.insert(pieces, piece) end
   end
-  local chunks, files, order = collect(pieces)
+  local chunks, files, order = tangle.collect(pieces)
   local lines = (os.getenv("TANGLE_LINES") or "") ~= ""
   local used, texts = {}, {}
   for _, path in ipairs(order) do
-    local out, state = {}, { chunks = chunks, used = used, from = {}, chain = {}, lines = lines }
-    expand(files[path].id, "", out, state)
-    texts[path] = header(state.from) .. "\n" .. table.concat(out, "\n") .. "\n"
+    local out, from = tangle.expand(chunks, files[path].id, lines, used)
+    texts[path] = header(from) .. "\n" .. table.concat(out, "\n") .. "\n"
   end
   for _, piece in ipairs(pieces) do
     if not used[piece.id] then

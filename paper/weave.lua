@@ -23,20 +23,13 @@
 
 local utils = pandoc.utils
 local here = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
-dofile(here .. "tangle.lua") -- gives tangle.parse
+dofile(here .. "tangle.lua") -- gives the table tangle
+local read = tangle.read
 
 -- 0. Files, messages, HTML --------------------------------------------------------------------------
 
 local chapters = {} -- { name, text }, in order
 local mistakes = pandoc.List()
-
-local function read(path)
-  local file = io.open(path, "rb")
-  if not file then return nil end
-  local text = file:read("a")
-  file:close()
-  return text
-end
 
 --- "chapter:line: " of the first place where `culprit` is written out, or "".
 local function place(culprit)
@@ -369,9 +362,9 @@ end
 
 -- 6. Tables: numbered captions, tables from CSV -----------------------------------------------------
 
-local function framed_table(content, id, text)
+local function framed_table(content, id, text, class)
   content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
-  local blocks = pandoc.List({ raw(id and '<figure class="table" id="' .. id .. '">' or "<figure>") })
+  local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", id) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
                     raw("</figcaption>") })
@@ -436,33 +429,37 @@ local function generated_table(div)
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
-  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content))
+  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
+                      head:includes("verdict") and "table verdicts")
 end
 
 -- 7. Chunks: the program's parts, where each is told ------------------------------------------------
 
-local pieces = {} -- what the tangler sees, in order
+local pieces = pandoc.List() -- what the tangler sees, in order
+local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
-local reference = "^(%s*)<<([%w][%w_:/.%-]*)>>%s*$"
 
 local function collect_chunks()
   for _, chapter in ipairs(chapters) do
-    for _, piece in ipairs(tangle.parse(chapter.name, chapter.text)) do
-      local chunk = chunks[piece.id]
-      if not chunk then
-        chunk = { name = piece.id, number = define("lst:" .. piece.id, "lst"), pieces = {}, users = {} }
-        chunks[piece.id] = chunk
-      end
-      table.insert(chunk.pieces, piece)
-      table.insert(pieces, piece)
-      piece.part = #chunk.pieces
-      chunk.title = chunk.title or piece.title
-      chunk.file = chunk.file or piece.file
+    pieces:extend(tangle.parse(chapter.name, chapter.text))
+  end
+  collected = tangle.collect(pieces)
+  for _, piece in ipairs(pieces) do
+    local chunk = chunks[piece.id]
+    if not chunk then
+      chunk = { name = piece.id, number = define("lst:" .. piece.id, "lst"),
+                pieces = collected[piece.id], users = {} }
+      chunks[piece.id] = chunk
     end
+    chunk.title = chunk.title or piece.title
+    chunk.file = chunk.file or piece.file
+  end
+  for _, chunk in pairs(chunks) do
+    for part, piece in ipairs(chunk.pieces) do piece.part = part end
   end
   for _, piece in ipairs(pieces) do
     for _, line in ipairs(piece.code) do
-      local _, name = line:match(reference)
+      local _, name = tangle.reference(line)
       if name and not chunks[name] then
         complain("<<" .. name .. ">>", "missing chunk <<%s>>", name)
       elseif name then
@@ -483,7 +480,6 @@ local function anchor(piece)
 end
 
 local function file_link(path) return link("file:" .. path, "<code>" .. path .. "</code>") end
-
 
 --- The lines of a code as HTML; `@eq:id` in them becomes a link.
 local function highlighted(lines, language)
@@ -513,7 +509,7 @@ local function piece_code(piece)
   end
   local html = highlighted(piece.code, piece.lang)
   for k, line in ipairs(piece.code) do
-    local space, name = line:match(reference)
+    local space, name = tangle.reference(line)
     if name then
       flush()
       local chunk = chunks[name]
@@ -636,19 +632,6 @@ local function chunk_index()
   return raw(table.concat(out, "\n"))
 end
 
---- The lines of a chunk with every reference replaced, and the chapters they come from.
-local function assemble(chunk, indent, lines, from)
-  for _, piece in ipairs(chunk.pieces) do
-    from[piece.source] = piece.source
-    for _, line in ipairs(piece.code) do
-      local space, name = line:match(reference)
-      if name then assemble(chunks[name], indent .. space, lines, from)
-      else table.insert(lines, line == "" and "" or indent .. line) end
-    end
-  end
-  return lines, from
-end
-
 local function listing(id, title, note, lines, language)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
     .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
@@ -659,9 +642,9 @@ local function file_index()
   local out = pandoc.List()
   for _, chunk in ipairs(sorted(chunks, function(c) return c.file or "" end)) do
     if chunk.file then
-      local lines, from = assemble(chunk, "", {}, {})
+      local lines, from = tangle.expand(collected, chunk.name)
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
-        table.concat(sorted(from, function(source) return source end), ", "),
+        table.concat(from, ", "),
         link(anchor(chunk.pieces[1]), "told in " .. chunk.html))
       out:insert(listing("file:" .. chunk.file, chunk.file, note, lines, chunk.pieces[1].lang))
     end

@@ -14,3 +14,6 @@ fail() {
 
 # Whether this folder is the top of a checkout.
 is_checkout() { [ "$(git rev-parse --show-toplevel 2>/dev/null)" = "$(pwd -P)" ]; }
+
+# record OPTION...: a commit in a scratch repository, whoever runs the tests.
+record() { git -c user.name=tests -c user.email=tests@example.org -c commit.gpgsign=false commit -q "$@"; }

@@ -17,7 +17,7 @@ expect_error() {
   tangle "$@" 2>errors || status=$?
   [ $status -ne 0 ] || fail "status 0, expected: $message"
   [ "$(cat errors)" = "$message" ] || fail "said: $(cat errors); expected: $message"
-  [ ! -e src ] || fail "files were written: $(find src)"
+  [ ! -e src ] && [ ! -e a.cpp ] || fail "files were written: $(find . -name "*.cpp")"
 }
 
 # expect_file FILE: the file is the header line and what stands on stdin.
@@ -82,6 +82,43 @@ int b;
 ```
 END
   expect_error 'two.md:3: src/a.cpp is already filed at one.md:1' one.md two.md
+}
+
+ChunkFiledTwice() {
+  chapter one.md <<'END'
+``` {.cpp #a file=src/a.cpp}
+int a;
+```
+
+``` {.cpp #a file=src/b.cpp}
+int b;
+```
+END
+  expect_error 'one.md:5: chunk a is already filed as src/a.cpp at one.md:1' one.md
+}
+
+# Files are written below TANGLE_ROOT and nowhere else.
+FileOutside() {
+  local path
+  for path in /tmp/a.cpp ../a.cpp src/../../a.cpp src/..; do
+    printf 'Text.\n\n``` {.cpp #a file=%s}\nint a;\n```\n' "$path" | chapter one.md
+    expect_error "one.md:3: $path: a file is named from the project's folder, without .." one.md
+  done
+  chapter one.md <<'END'
+``` {.cpp file=src/a..b.cpp}
+int a;
+```
+END
+  tangle one.md
+  [ -s src/a..b.cpp ] || fail "two dots in a name were refused"
+}
+
+BadReferenceName() {
+  local name
+  for name in 'a b' '-a' ' a' ''; do
+    printf '``` {.cpp file=src/a.cpp}\nint before;\n  <<%s>>\n```\n' "$name" | chapter one.md
+    expect_error "one.md:3: bad reference: <<$name>> is not the name of a chunk" one.md
+  done
 }
 
 BadIndentation() {
