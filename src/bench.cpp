@@ -3,38 +3,29 @@
 
 #include <benchmark/benchmark.h>
 
-#include "carter.hpp"
-#include "printed_scheme.hpp"
+#include "paper_case.hpp"
 #include "temperature.hpp"
 
 using namespace thermoroll;
 
 namespace {
 
-constexpr double friction = 0.6, traction = 0.5, heating = 0.0175;
-
 void closed_form(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(carter(friction, traction));
+  for (auto _ : state) benchmark::DoNotOptimize(paper::closed_form(0.5));
 }
 
 void published_scheme(benchmark::State& state, int nodes, double peclet) {
-  PrintedOptions options;
-  options.nodes = nodes;
-  const Scene scene{friction, traction, peclet, heating};
-  for (auto _ : state)
-    benchmark::DoNotOptimize(solve_printed(scene, Formulation::printed, options));
+  for (auto _ : state) benchmark::DoNotOptimize(paper::scheme(0.5, peclet, {nodes}));
 }
 
 void temperature_curve(benchmark::State& state, int points) {
-  const HeatFlux flux = carter_flux(carter(friction, traction));
+  const HeatFlux flux = carter_flux(paper::closed_form(0.5));
   for (auto _ : state)
     for (int i = 0; i < points; ++i)
-      benchmark::DoNotOptimize(temperature(flux, 4360, -1 + 4.0 * i / (points - 1)));
+      benchmark::DoNotOptimize(temperature(flux, paper::peclet, -1 + 4.0 * i / (points - 1)));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+void name_benchmarks() {
   using benchmark::RegisterBenchmark;
   RegisterBenchmark("closed_form", closed_form);
   for (const int peclet : {100, 4360})
@@ -46,6 +37,12 @@ int main(int argc, char** argv) {
     }
   RegisterBenchmark("temperature_curve/points:400", temperature_curve, 400)
       ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  name_benchmarks();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -28,11 +28,12 @@ MatrixXd cauchy_matrix(const Grid& g) {
   return g.w.transpose().replicate(n + 1, 1).cwiseQuotient(distance) / pi;
 }
 
-VectorXd node_heat(const PrintedSolution& x) {
-  return (x.grid.t.array() > x.c0).select(x.grid.w.cwiseProduct(x.slip).cwiseProduct(x.phi), 0);
-}
-
 namespace {
+
+/// w_k v*(t_k) at the hot nodes, zero at the others.
+VectorXd hot_slip(const PrintedSolution& x) {
+  return (x.grid.t.array() > x.c0).select(x.grid.w.cwiseProduct(x.slip), 0);
+}
 
 /// What stays fixed while the iterations run.
 struct Problem {
@@ -66,9 +67,8 @@ double rigid_strain(const Problem& problem, const PrintedSolution& x, double s) 
 void solve_normal(const Problem& problem, PrintedSolution& x) {
   const auto& [t, w, s] = x.grid;
   const Index n = t.size();
-  const VectorXd hot = (t.array() > x.c0).select(w.cwiseProduct(x.slip), 0);
   MatrixXd a(n + 2, n + 2);
-  a << problem.cauchy + problem.slope * hot.asDiagonal(), VectorXd::Ones(n + 1), 2 / pi * s,
+  a << problem.cauchy + problem.slope * hot_slip(x).asDiagonal(), VectorXd::Ones(n + 1), 2 / pi * s,
       w.transpose(), 0, 0;
   const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
   x.phi = unknown.head(n);
@@ -131,6 +131,8 @@ double interpolate(const Grid& g, const VectorXd& values, double at) {
 
 }  // namespace
 
+VectorXd node_heat(const PrintedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
+
 PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
                               const PrintedOptions& options) {
   check(scene);
@@ -142,17 +144,18 @@ PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
   const double self = -slope_sign(formulation) * scene.friction * options.heaviside_at_zero;
   const Problem problem{scene, formulation, cauchy_matrix(x.grid),
                         slope_matrix(scene, formulation, x.grid), self};
-  bool settled = false;
-  while (!settled && x.outer_iterations < options.max_outer) {
+  int failures = 0;
+  while (!x.converged && failures < options.max_failures &&
+         x.outer_iterations < options.max_outer) {
     ++x.outer_iterations;
     const bool found = find_border(problem, x, options);
+    if (!found) ++failures;
     const VectorXd v = slip_velocity(problem, x);
     const double change = (v - x.slip).lpNorm<Eigen::Infinity>();
     x.slip = v;
-    settled = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
+    x.converged = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
     if (!v.allFinite()) break;
   }
-  x.converged = settled;
   x.creep = x.creep_constant - scene.friction * x.gamma0;
   return x;
 }

@@ -27,6 +27,7 @@ struct PrintedOptions {
   double heaviside_at_zero = 0;  ///< the value of H(0) at a coincident node
   int max_outer = 200;           ///< bound on the outer steps
   int max_inner = 50;            ///< bound on the inner steps of each
+  int max_failures = 10;         ///< bound on the outer steps whose inner steps did not settle
 };
 
 /// What the scheme computes; dimensionless. The scheme has no error estimate.

@@ -32,10 +32,10 @@ Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth
   require(depth >= 0, "depth", depth, "zero or positive");
   const double nearest = std::clamp(s, flux.from, flux.to), gap = nearest - s;
   const double start = flux.from - nearest, end = flux.to - nearest;
-  const auto heating = [&](double u) {
+  const auto integrand = [&](double u) {
     return kernel::M(peclet * (gap + u), peclet * depth) * flux.density(u - start, end - u) / pi;
   };
-  return integrate(heating,
+  return integrate(integrand,
                    difficult_points(start, end, {1 / peclet, depth, std::abs(gap), -start, end}));
 }
 

@@ -1,18 +1,35 @@
+#include <algorithm>
 #include <cmath>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "carter.hpp"
 #include "claims.hpp"
+#include "figure_data.hpp"
 #include "first_order.hpp"
 #include "printed_scheme.hpp"
 #include "reference.hpp"
+#include "temperature.hpp"
 
 namespace {
 
 using reference::close;
 using reference::Real;
+using thermoroll::Claim;
+using thermoroll::verdict;
+using thermoroll::verdict_on;
 
 constexpr double friction = 0.6, heating = 0.0175;  // what claims.hpp uses
+
+/// Computed once: two seconds of work.
+const std::vector<Claim>& claims() {
+  static const std::vector<Claim> table = thermoroll::claims();
+  return table;
+}
 
 }  // namespace
 
@@ -80,7 +97,96 @@ TEST(Claims, RollingIsHotterThanSliding) {
 // The wheel on its rail at V = 2 k Pe/a: the converged maxima of Q* = 0.5 in degrees C, to the
 // digit.
 TEST(Claims, CelsiusFollowTheSpeed) {
-  EXPECT_TRUE(close(thermoroll::celsius_at(5000) * 0.00205267, 283.7, 0.05));
-  EXPECT_TRUE(close(thermoroll::celsius_at(10000) * 0.00145145, 401.3, 0.05));
-  EXPECT_TRUE(close(thermoroll::celsius_at(15000) * 0.00118511, 491.4, 0.05));
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(5000) * 0.00205267, 283.7, 0.05));
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(10000) * 0.00145145, 401.3, 0.05));
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(15000) * 0.00118511, 491.4, 0.05));
+}
+
+// The limits of the rule: half a per cent, and half a unit of the paper's last digit.
+TEST(Claims, NumbersHoldToHalfAPerCentOrRounded) {
+  EXPECT_EQ(verdict_on("200", 200), "holds");
+  for (const double sign : {-1.0, 1.0}) {
+    const double inside = 1.5 / (1 + sign * 0.00499), outside = 1.5 / (1 + sign * 0.00501);
+    EXPECT_EQ(verdict_on("1.500", inside), "holds") << sign;
+    EXPECT_EQ(verdict_on("1.500", outside), sign > 0 ? "paper 0.5 % high" : "paper 0.5 % low");
+  }
+  // 0.002 is what 0.0015 ... 0.0025 rounds to, and 25 what 24.5 ... 25.5 does.
+  EXPECT_EQ(verdict_on("0.002", 0.0015001), "holds, rounded");
+  EXPECT_EQ(verdict_on("0.002", 0.0024999), "holds, rounded");
+  EXPECT_EQ(verdict_on("0.002", 0.0014999), "paper 33.3 % high");
+  EXPECT_EQ(verdict_on("0.002", 0.0025001), "paper 20.0 % low");
+  EXPECT_EQ(verdict_on("25", 25.49), "holds, rounded");
+  EXPECT_EQ(verdict_on("25", 25.51), "paper 2.0 % low");
+  EXPECT_EQ(verdict_on("25", 24.49), "paper 2.1 % high");
+  // More digits promise more: the same value, given as 2.0, is not rounded from 2.06.
+  EXPECT_EQ(verdict_on("2", 2.06), "holds, rounded");
+  EXPECT_EQ(verdict_on("2.0", 2.06), "paper 2.9 % low");
+}
+
+TEST(Claims, OnlyWhatHoldsSaysHow) {
+  EXPECT_EQ(verdict(true), "holds");
+  EXPECT_EQ(verdict(false), "does not hold");
+  EXPECT_EQ(verdict(true, "by construction"), "holds, by construction");
+  EXPECT_EQ(verdict(false, "by construction"), "does not hold");
+}
+
+// A reader can redo the verdicts from the other cells: where both the paper's cell and ours are a
+// number, the rule applied to what is printed; where ours is no, it does not hold.
+TEST(Claims, VerdictsFollowFromTheTable) {
+  int numbers = 0, statements = 0;
+  for (const Claim& c : claims()) {
+    SCOPED_TRACE(c.claim);
+    for (const std::string& cell : {c.claim, c.paper, c.printed, c.converged, c.verdict})
+      EXPECT_FALSE(cell.empty());
+    const std::regex number("[0-9.]*[1-9][0-9.]*");
+    if (std::regex_match(c.paper, number) && std::regex_match(c.converged, number)) {
+      EXPECT_EQ(c.verdict, verdict_on(c.paper, std::stod(c.converged)));
+      ++numbers;
+    } else if (c.paper == "yes" && (c.converged == "yes" || c.converged == "no")) {
+      EXPECT_EQ(c.verdict.substr(0, 5), c.converged == "yes" ? "holds" : "does ");
+      ++statements;
+    }
+  }
+  EXPECT_EQ(numbers, 7) << "H, Pe, V, T*max and three in degrees";
+  EXPECT_EQ(statements, 4) << "variation, and three on slip and stick";
+}
+
+// The paper's counts are bounds for the record, and its errors those of T*max: the largest of the
+// sixteen is no smaller than that of any case, here the last two against the quadrature of the
+// closed form, from which heat moves T*max by about f H/(2 pi) = 0.2 % of it.
+TEST(Claims, RecordIsThatOfTheRuns) {
+  const thermoroll::Record record = thermoroll::scheme_record();
+  EXPECT_TRUE(record.converged);
+  EXPECT_GT(record.coarse_error, record.fine_error);
+  thermoroll::PrintedOptions options;
+  options.tolerance = 1e-3;
+  for (const double traction : {0.2, 0.59}) {
+    const double exact = thermoroll::max_temperature(
+                             thermoroll::carter_flux(thermoroll::carter(friction, traction)), 5000)
+                             .temperature.value;
+    for (const int nodes : {50, 200}) {
+      options.nodes = nodes;
+      const thermoroll::PrintedSolution x = thermoroll::solve_printed(
+          {friction, traction, 5000, heating}, thermoroll::Formulation::printed, options);
+      EXPECT_LE(x.inner_iterations, record.inner);
+      EXPECT_LE(x.outer_iterations, record.outer);
+      const double found = thermoroll::printed_max_temperature(x, 5000).temperature;
+      const double largest = nodes == 50 ? record.coarse_error : record.fine_error;
+      EXPECT_LE(100 * std::abs(found / exact - 1), largest + 0.5) << nodes;
+    }
+  }
+}
+
+// In the report's table a symbol is mathematics: outside of it no asterisk, which Markdown would
+// take for emphasis, and no symbol in plain text is left.
+TEST(Claims, TableIsInTeX) {
+  std::ostringstream table;
+  thermoroll::write_figure_data("claims", table);
+  const std::string text = table.str(),
+                    outside = std::regex_replace(text, std::regex("\\$[^$]*\\$"), "");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(claims().size()) + 1);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '$') % 2, 0);
+  for (const std::string symbol : {"*", "κ", "γ", "c0", "Pe ", " n ", " H ", "|", "$"})
+    EXPECT_EQ(outside.find(symbol), std::string::npos) << symbol;
+  EXPECT_NE(text.find("$T^*_{\\max}$ at $Q^*$ = 0.5"), std::string::npos) << text;
 }
