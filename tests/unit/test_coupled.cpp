@@ -599,6 +599,8 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
     EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::creep, value}, "creep = ")) << value;
   for (const double value : {-1.0, 1.0, 1.5, nan, infinity})
     EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::border, value}, "stick-slip-border = ")) << value;
+  for (const Quantity other : {thermoroll::load_ratio, thermoroll::heat, thermoroll::hottest})
+    EXPECT_TRUE(refuses(good, 1e-6, {other, 0.5}, "given quantity = ")) << other;
   // A creep at which the whole contact slips has no border; as printed, a pressure that heat makes
   // negative is no contact. Both are said, in one line that names the solver.
   const auto unsolved = [](const Scene& scene, Formulation formulation, const Given& given) {
