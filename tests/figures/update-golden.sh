@@ -23,5 +23,5 @@ done
 for table in build/data/*.csv; do
   replace "figures/golden/$(basename "$table")" <"$table"
 done
-picture=$(bash tests/figures/readme-picture.sh)
-replace figures/golden/temperature-load.svg <<<"$picture"
+bash tests/figures/readme-picture.sh >build/readme-picture.svg
+replace figures/golden/temperature-load.svg <build/readme-picture.svg
