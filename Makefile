@@ -11,21 +11,28 @@ export LC_ALL := C.UTF-8
 # The one list of Debian packages, by goal; appendix C of the report gives the reason for each.
 
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
-figure_packages := $(build_packages) gnuplot-nox
-test_packages := $(figure_packages) libgtest-dev clang-format clang-tidy libxml2-utils chromium
+data_packages := $(build_packages) libbenchmark-dev
+figure_packages := $(data_packages) gnuplot-nox
+check_packages := libgtest-dev clang-format clang-tidy libxml2-utils chromium parallel
+test_packages := $(figure_packages) $(check_packages)
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
 packages_for_golden := $(figure_packages)
-packages_for_data := $(build_packages)
+packages_for_data := $(data_packages)
 packages_for_figures := $(figure_packages)
 packages_for_report := $(figure_packages)
 packages_for_reproduce := $(figure_packages)
 packages_for_test := $(test_packages)
 packages_for_debug := $(build_packages) libgtest-dev
 packages_for_asan := $(build_packages) libgtest-dev
+packages_for_tsan := $(build_packages)
+packages_for_valgrind := $(build_packages) valgrind
+packages_for_sweep-bench := $(build_packages)
+packages_for_soak := $(build_packages)
+packages_for_fuzz := $(build_packages) clang libclang-rt-dev
 packages_for_coverage := $(build_packages) libgtest-dev
-packages_for_bench := $(build_packages) libbenchmark-dev
+packages_for_bench := $(data_packages)
 packages_for_pdf := $(figure_packages) chromium
 packages_for_clean :=
 packages_for_help :=
@@ -39,6 +46,9 @@ command_of_clang-format := clang-format
 command_of_clang-tidy := clang-tidy
 command_of_libxml2-utils := xmllint
 command_of_chromium := chromium
+command_of_parallel := parallel
+command_of_clang := clang++
+command_of_valgrind := valgrind
 
 needs = $(if $(filter undefined,$(origin packages_for_$1)),$(packages_for_reproduce),$(packages_for_$1))
 other_goals := $(filter-out setup,$(MAKECMDGOALS))
@@ -89,14 +99,15 @@ endif
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*.cpp src/*.hpp)
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
-tables := claims resolution coincident
+tables := claims resolution coincident bands iteration-steps
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
+timed_files := $(patsubst %,build/data/%.csv,times bars contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) $(figure_files) \
-  build/report.html
+steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) build/benches-built \
+  build/data/times.json $(timed_files) $(figure_files) build/report.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
 endif
@@ -112,7 +123,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan install clean help
+.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan tsan valgrind soak fuzz sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -125,7 +136,7 @@ reproduce: build/data/claims.txt build/report.html
 	@echo "The report is build/report.html"
 
 ## data: compute every table
-data: $(data_files)
+data: $(data_files) $(timed_files)
 
 ## figures: draw every figure
 figures: $(figure_files)
@@ -163,6 +174,28 @@ $(data_files): build/thermoroll | build/data
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
 
+# Nothing else is computed while the benchmarks run, and they run again only when they are others.
+build/benches-built: build/built | build/release/with-bench
+	$(call step,compiling the benchmarks)
+	@$(compile) build/release --target thermoroll-bench
+	@ln -sf release/thermoroll-bench build/thermoroll-bench
+	@touch $@
+
+build/thermoroll-bench: build/benches-built ;
+
+build/data/times.json: build/thermoroll-bench | $(data_files) build/data/claims.txt
+	$(call step,timing the methods for half a minute)
+	@build/thermoroll-bench --benchmark_min_time=0.02 --benchmark_repetitions=3 \
+	  --benchmark_format=json >$@.tmp 2>build/bench.log || { cat build/bench.log; exit 1; }
+	@mv $@.tmp $@
+
+$(timed_files): build/data/times.json build/thermoroll
+	$(call step,computing $@)
+	@build/thermoroll figure-data $(basename $(@F)) --times $< --output $@
+
+$(filter build/figures/speed-%,$(figure_files)): build/data/times.csv
+build/figures/iteration-b.svg: figures/iteration-a.gp
+
 build/data/claims.txt: build/thermoroll | build/data
 	$(call step,writing $@)
 	@build/thermoroll claims --format text >$@.tmp
@@ -175,7 +208,7 @@ build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figu
 
 revision = $(shell git describe --always --dirty 2>/dev/null)
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(data_files) $(figure_files)
+    $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@pandoc $(chapters) -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings \
 	  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib \
@@ -185,14 +218,20 @@ build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css p
 # --- Tests and checks -----------------------------------------------------------------------------
 
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
-# compiled and one after the other.
-with = $(addprefix build/release/with-,$(filter $1,$(MAKECMDGOALS)))
-build/built: | $(call with,test bench)
-build/release/with-bench: | $(call with,test)
+# compiled and one after the other. What needs data needs the benchmarks.
+no_data := all install debug asan tsan valgrind soak fuzz sweep-bench coverage clean help
+with_test := $(if $(filter test,$(MAKECMDGOALS)),build/release/with-test)
+with_bench := $(if $(filter-out all install valgrind soak sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
+with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)
+build/built: | $(with_test) $(with_bench) $(with_soak)
+build/release/with-bench: | $(with_test)
+build/release/with-soak: | $(with_test) $(with_bench)
 bench: | $(filter test,$(MAKECMDGOALS))
+soak: | $(filter test bench,$(MAKECMDGOALS))
 
 build/release/with-test: option := THERMOROLL_TESTS
 build/release/with-bench: option := THERMOROLL_BENCH
+build/release/with-soak: option := THERMOROLL_SOAK
 build/release/with-%: | build/release/Makefile
 	@$(apart) cmake -D$(option)=ON build/release >build/release.log || { cat build/release.log; exit 1; }
 	@touch $@
@@ -227,10 +266,42 @@ coverage: | build
 	  build/coverage/thermoroll figure-data $$name --output build/coverage/data || exit 1; done
 	@sh tests/coverage.sh build/coverage
 
+## tsan: sweeps under the thread sanitizer
+tsan: | build
+	$(call configure,tsan)
+	@$(compile) build/tsan --target thermoroll-cli
+	@for case in SameBytesWithAnyNumberOfJobs BadRowsGiveTheirError ClosedPipe InterruptedLeavesWholeRows; do \
+	  bash tests/command_line/sweep_test.sh $$case build/tsan/thermoroll || exit 1; echo "$$case: no race"; done
+
+## valgrind: solves and a sweep under memcheck
+valgrind: build/thermoroll
+	@bash tests/valgrind.sh build/thermoroll
+
+SOAK_SCENES ?= 1000000
+SOAK_SECONDS ?= 0
+SOAK_SEED ?= 1
+## soak: a million random scenes (SOAK_SCENES), or as many as fit into SOAK_SECONDS
+soak: build/thermoroll
+	@$(compile) build/release --target soak
+	@build/release/tests/soak/soak $(SOAK_SCENES) $(SOAK_SECONDS) $(SOAK_SEED)
+
+fuzz_targets := arguments file table scene
+FUZZ_SECONDS ?= 60
+## fuzz: look for inputs that break a way in, FUZZ_SECONDS (60) each (needs clang)
+fuzz: | build
+	$(call configure,fuzz)
+	@$(compile) build/fuzz --target $(addprefix fuzz-,$(fuzz_targets))
+	@printf '%s\n' $(fuzz_targets) | \
+	  xargs -P $(CMAKE_BUILD_PARALLEL_LEVEL) -I {} bash tests/fuzz/run.sh {} $(FUZZ_SECONDS)
+
 ## bench: how long the solvers take
-bench: build/thermoroll
-	@$(compile) build/release --target thermoroll-bench
-	@build/release/thermoroll-bench
+bench: build/thermoroll-bench
+	@build/thermoroll-bench --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
+
+SWEEP_ROWS ?= 10000 100000 1000000
+## sweep-bench: rows per second and memory of sweeps of SWEEP_ROWS rows
+sweep-bench: build/thermoroll
+	@bash tests/sweep-bench.sh build/thermoroll $(SWEEP_ROWS)
 
 ## golden: take today's data as the golden data of the tests, and the README's picture
 golden: $(data_files) build/figures/temperature-load.svg
@@ -265,6 +336,6 @@ clean:
 
 ## help: this list
 help:
-	@sed -n 's/^## \([a-z]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
+	@sed -n 's/^## \([a-z-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
 
 endif

@@ -6,9 +6,12 @@ eval range(-6, 6, -1, 3)
 eval axes('ζ', '')
 set xtics 2
 set ytics 1
-set label '{/:Italic M}' at -2.6, 0.97
-set label '{/:Italic N}_1' at 1.3, 0.5
-set label '{/:Italic N}_2' at 1.6, -0.77
+set label '{/:Italic M}' at -2.6, 1.25
+set label '{/:Italic N}_1' at 1.9, 0.65
+set label '{/:Italic N}_2' at 2.1, -0.8
+eval leader(-2.2, 1.12, -1.9, 0.9)
+eval leader(1.8, 0.6, 1.0, 0.28)
+eval leader(2, -0.75, 1.5, -0.56)
 set label 'downstream' at -5.8, 2.8
 set label 'upstream' at 5.8, 2.8 right
 

@@ -4,12 +4,13 @@
 #   gnuplot -e "data='my.csv'; output='my.svg'" figures/traction.gp
 
 if (!exists("data")) data = 'build/data/'.name.'.csv'
+if (!exists("height")) height = 380
 if (!exists("output")) { output = 'build/figures/'.name.'.svg'; system 'mkdir -p build/figures' }
 
 # The name heads the SVG's title and ids, in which gnuplot allows no hyphen.
 id = ''
 do for [k = 1:strlen(name)] { id = id.(name[k:k] eq '-' ? '_' : name[k:k]) }
-set terminal svg size 560,380 enhanced font 'sans-serif,17' linewidth 2 rounded name id
+set terminal svg size 560,height enhanced font 'sans-serif,17' linewidth 2 rounded name id
 set output output
 set encoding utf8
 set minussign
@@ -60,10 +61,15 @@ apart(x, y) = drawn == 0 || (sum [k = 1:drawn] near(x, y, k)) == 0
 thinned(x, y) = y == y && apart(x, y) \
   ? (drawn = drawn + 1, drawn_x[drawn] = x, drawn_y[drawn] = y) : NaN
 
-# The key says only what a line and what a point is; the curves carry their own labels.
+# A thin grey line from a label, which starts or ends at (x, y), to a point of its curve.
+leader(x, y, x_curve, y_curve) = sprintf("set arrow from %g, %g to %g, %g nohead back " \
+  ."linecolor rgb 'grey50' linewidth 0.4", x, y, x_curve, y_curve)
+
+# The key says only what a line and what a point is; the curves carry their own labels. The lines
+# leave out what heat does to the tractions, as if nothing expanded: H = 0.
 # (x, y) is its upper left corner in the plot's own unit square.
 key(x, y) = sprintf("set arrow from graph %g, graph %g rto graph 0.05, 0 nohead linewidth 1.25; " \
-  ."set label 'converged' at graph %g, graph %g; " \
+  ."set label 'converged, {/:Italic H} = 0' at graph %g, graph %g; " \
   ."set label 'published scheme, {/:Italic n} = 200' at graph %g, graph %g", \
   x, y, x + 0.07, y, x + 0.07, y - 0.075) \
   .sprintf("; set label '' at graph %g, graph %g point linetype 5", x + 0.025, y - 0.075)
@@ -95,3 +101,35 @@ label_family = 'set rmargin at screen 0.80; gap = 0.062*(y_max - y_min); do for 
 # The figures of the surface temperature are all such families, alike but for what they set before.
 temperature_figure = "quantity = 'T'; eval range(-1, 3, 0, T_max); eval axes('s', 'T*'); " \
   ."eval key(0.53, 0.95); set xtics 1; set ytics T_step; eval label_family; eval draw_family"
+
+# The figures of speed against accuracy: three panels, one quantity each, in each a curve of every
+# method and a point for what has no settings. The times are those of times.csv, beside the data.
+read_times = "set table $times; plot system(sprintf(\"dirname '%s'\", data)).'/times.csv' " \
+  ."using (stringcolumn(1).' '.stringcolumn(2)) with table; unset table; " \
+  ."seconds(name) = sum [k = 1:|$times|] " \
+  ."(word($times[k], 1) eq name ? real(word($times[k], 2)) : 0)"
+method = 1; setting = 2; quantity = 4
+of(name, what) = strcol(method) eq name && strcol(quantity) eq what ? column("error") : NaN
+only(value, x) = column(setting) == value ? x : NaN
+curve(name, title, i, mark) = sprintf("data using (of('%s', what)):(seconds(strcol('name'))) " \
+  ."with linespoints linetype %d dashtype solid pointtype %d pointsize 0.5 " \
+  ."title what.': %s', ", name, i, mark, title)
+dot(name, title, mark) = sprintf("data using (of('%s', what)):(seconds(strcol('name'))) " \
+  ."with points linetype 5 pointtype %d title what.': %s', ", name, mark, title)
+note(name, value, text, place) = sprintf("data using (only(%g, of('%s', what))): " \
+  ."(seconds(strcol('name'))):('%s') with labels %s title what.': label', ", \
+  value, name, text, place)
+panel(k, of_what, title) = sprintf("what = '%s'; set label 1 '%s' at graph 0, graph 1.07; ", \
+  of_what, title) \
+  .sprintf("set tmargin at screen %g; set bmargin at screen %g; ", 0.965 - k*0.32, 0.745 - k*0.32) \
+  ."plot ".notes.curve('gauss_chebyshev', 'published scheme', 3, 5) \
+  .curve('thrifty', 'thriftily', 4, 13).curve('moments', 'means for samples', 2, 9) \
+  .curve('coupled', 'coupled', 1, 7).dot('closed_form', 'closed form', 4)
+speed_figure = "set logscale xy; set xrange [2:5e-12]; set yrange [4e-8:4]; " \
+  ."set xtics ('100 %%' 1, '1 %%' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6, '10^{−8}' 1e-8, " \
+  ."'10^{−10}' 1e-10); set ytics ('0.1 µs' 1e-7, '1 µs' 1e-6, '10 µs' 1e-5, '0.1 ms' 1e-4, " \
+  ."'1 ms' 1e-3, '10 ms' 1e-2, '0.1 s' 0.1, '1 s' 1); set lmargin at screen 0.14; " \
+  ."eval read_times; set multiplot; " \
+  ."eval panel(0, 'load', 'a. Thermal correction of the load, {/:Italic κ} − 1'); " \
+  ."eval panel(1, 'temperature', 'b. Largest temperature'); " \
+  ."set xlabel 'relative error' offset 0,0.6; eval panel(2, 'creep', 'c. Creep'); unset multiplot"

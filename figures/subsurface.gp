@@ -15,6 +15,7 @@ do for [k = 1:|$rows|] {
 unset print
 set datafile separator whitespace
 set datafile nocolumnheaders
+set datafile missing
 
 # The isotherms, traced on the grid.
 set contour base
@@ -24,10 +25,16 @@ set table $isotherms
 splot $grid using 1:2:3 with lines
 unset table
 unset contour
-set label '0.0005' at 2.0, 0.335 center front textcolor rgb '#ffffff' font ',14'
-set label '0.002' at 2.0, 0.213 center front textcolor rgb '#ffffff' font ',14'
-set label '0.004' at 2.0, 0.142 center front textcolor rgb '#ffffff' font ',14'
-set label '0.006' at 1.5, 0.09 center front textcolor rgb '#ffffff' font ',14'
+
+# All but the innermost isotherm make room for their labels, which stand on them.
+array at_s[5] = [2.1, 2.1, 2.1, 1.62, 1.55]
+array at_y[5] = [0.284, 0.185, 0.111, 0.06, 0.022]
+levels = '0.0005 0.002 0.004 0.006 0.009'
+do for [k = 1:5] {
+  set label word(levels, k) at at_s[k], at_y[k] center front textcolor rgb '#ffffff' font ',14'
+}
+clear(k, s, depth) = abs(s - at_s[k]) > 0.33 || abs(depth - at_y[k]) > 0.025
+parted(s, depth) = (sum [k = 1:4] clear(k, s, depth)) == 4 ? depth : NaN
 
 # The map is drawn in cells about the grid's points: half a cell more than the grid on each side.
 stats $grid using 1:2 nooutput
@@ -56,4 +63,4 @@ set label 'slip' at (c + 1)/2, graph 1.075 center
 set palette defined (0 '#440154', 0.04 '#482878', 0.11 '#3e4989', 0.2 '#31688e', 0.3 '#26828e', \
   0.41 '#1f9e89', 0.54 '#35b779', 0.68 '#6ece58', 0.83 '#b5de2b', 1 '#fde725')
 plot $grid using 1:2:3 with image title 'T*', \
-     $isotherms using 1:2 with lines linecolor rgb '#ffffff' linewidth 0.5 title 'isotherms'
+     $isotherms using 1:(parted($1, $2)) with lines linecolor rgb '#ffffff' linewidth 0.5 title 'isotherms'

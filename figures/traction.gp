@@ -6,11 +6,15 @@ quantity = 'q'
 parameter = 'traction'; symbol = 'Q*'; values = '0.2 0.4 0.5 0.59'
 eval range(-1, 1, 0, 0.4)
 eval axes('s', 'q*')
-eval key(0.38, 0.13)
+eval key(0.41, 0.125)
 set xtics 0.5
 set ytics 0.1
-set label '{/:Italic Q*} = 0.59' at -0.58, 0.325 right
-set label '0.5' at -0.27, 0.245
-set label '0.4' at 0.11, 0.215
-set label '0.2' at 0.55, 0.14
+set label '{/:Italic Q*} = 0.59' at -0.62, 0.335 right
+set label '0.5' at -0.16, 0.235
+set label '0.4' at 0.21, 0.215
+set label '0.2' at 0.6, 0.145
+eval leader(-0.61, 0.333, -0.53, 0.326)
+eval leader(-0.17, 0.236, -0.33, 0.243)
+eval leader(0.2, 0.216, 0.04, 0.245)
+eval leader(0.59, 0.146, 0.47, 0.155)
 eval draw_family

@@ -16,6 +16,7 @@
 --                                                     it is the caption
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
+--                                                     or, if it rests on a time, build/data/speed.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
@@ -130,9 +131,8 @@ end
 
 local values
 
---- values.json is one flat object whose values are strings, as they are to be printed.
-local function read_values()
-  local path, found = "build/data/values.json", {}
+--- Each file is one flat object whose values are strings, as they are to be printed.
+local function read_values(path, found)
   local text = read(path)
   if not text then complain(path, "%s is missing", path) end
   local rest = (text or "{}"):gsub('"([^"\\]*)"%s*:%s*"(.-[^\\])"', function(key, value)
@@ -146,7 +146,10 @@ local function read_values()
 end
 
 local function value(key, written)
-  values = values or read_values()
+  if not values then
+    values = read_values("build/data/values.json", {})
+    if read("build/data/speed.json") then read_values("build/data/speed.json", values) end
+  end
   if not values[key] then complain(written, "unknown value %s", key) end
   return values[key] or ""
 end

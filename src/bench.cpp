@@ -1,8 +1,11 @@
 // Tangled from paper/E-benchmarks.md; edit there.
+#include <cmath>
+#include <set>
 #include <string>
 
 #include <benchmark/benchmark.h>
 
+#include "comparison.hpp"
 #include "paper_case.hpp"
 #include "temperature.hpp"
 
@@ -10,12 +13,19 @@ using namespace thermoroll;
 
 namespace {
 
-void closed_form(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(paper::closed_form(0.5));
+void time_run(benchmark::State& state, const Run& run) {
+  Found found{};
+  for (auto _ : state) benchmark::DoNotOptimize(found = run.find());
+  if (std::isnan(found.creep) && std::isnan(found.hottest)) state.SkipWithError("does not settle");
 }
 
-void published_scheme(benchmark::State& state, int nodes, double peclet) {
-  for (auto _ : state) benchmark::DoNotOptimize(paper::scheme(0.5, peclet, {nodes}));
+void name_runs() {
+  std::set<std::string> known;  // the closed form's is the same in all regimes
+  for (const Regime& regime : regimes)
+    for (const Run& run : runs(regime))
+      if (known.insert(run.name).second)
+        benchmark::RegisterBenchmark(run.name.c_str(), time_run, run)
+            ->Unit(benchmark::kMicrosecond);
 }
 
 void temperature_curve(benchmark::State& state, int points) {
@@ -25,24 +35,20 @@ void temperature_curve(benchmark::State& state, int points) {
       benchmark::DoNotOptimize(temperature(flux, paper::peclet, -1 + 4.0 * i / (points - 1)));
 }
 
-void name_benchmarks() {
-  using benchmark::RegisterBenchmark;
-  RegisterBenchmark("closed_form", closed_form);
-  for (const int peclet : {100, 4360})
-    for (const int nodes : {25, 50, 100, 200, 400}) {
-      const std::string name = "gauss_chebyshev/n:" + std::to_string(nodes) +
-                               "/Pe:" + std::to_string(peclet) + "/H:0.0175";
-      RegisterBenchmark(name.c_str(), published_scheme, nodes, peclet)
-          ->Unit(benchmark::kMillisecond);
-    }
-  RegisterBenchmark("temperature_curve/points:400", temperature_curve, 400)
-      ->Unit(benchmark::kMillisecond);
+void carters_problem(benchmark::State& state) {
+  const double given = carter(0.3, 0.192).creep;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        solve_coupled({0.3, 0.192, 1, 0}, Formulation::corrected, 1e-6, {creep, given}));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  name_benchmarks();
+  name_runs();
+  benchmark::RegisterBenchmark("temperature_curve/points:400", temperature_curve, 400)
+      ->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("carter", carters_problem)->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -372,6 +372,14 @@ Profile in_order(const Profile& x) {
 
 }  // namespace
 
+FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
+  const Rule &slip = gauss_legendre(n), &stick = gauss_legendre(std::max(8, 3 * n / 4));
+  const Angles a = angles(c0, slip, stick);
+  const ThermalSides sides = thermal_sides(scene, formulation, a, slip, gauss_legendre(12 + n / 2));
+  const Inverses x = invert(a, sides, slip, scene.friction);
+  return {scene.friction, a.s, (1 - c0) / 2 * (1 + a.s), x.p, x.v, x.kappa};
+}
+
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Given& given) {
   Scene checked = scene;

@@ -48,6 +48,19 @@ struct CoupledSolution {
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Given& given);
 
+/// The discrete problem h = sigma p-hat v-hat, p-hat = 2/pi + p h, v-hat = 2f/pi + v h, at the slip
+/// nodes s, where the heat flux is sin(phi) h. Dimensionless; p and v are proportional to H.
+struct FluxMap {
+  double friction;
+  Eigen::VectorXd s, sigma;
+  Eigen::MatrixXd p, v;
+  Eigen::RowVectorXd kappa;  ///< the load ratio is 1 + kappa h
+};
+
+/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0; the
+/// traction of the scene is not used.
+FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
+
 /// The heat flux v* p* of a solution.
 HeatFlux coupled_flux(const CoupledSolution& x);
 

@@ -1,4 +1,4 @@
-// Tangled from paper/B-data-files.md; edit there.
+// Tangled from paper/13-where-methods-fail.md, paper/B-data-files.md; edit there.
 #include "figure_data.hpp"
 
 #include <algorithm>
@@ -10,11 +10,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "asymptotics.hpp"
 #include "claims.hpp"
+#include "comparison.hpp"
+#include "iterations.hpp"
 #include "kernels.hpp"
 #include "numbers.hpp"
 #include "paper_case.hpp"
+#include "resolution.hpp"
 #include "temperature.hpp"
+#include "thrifty_scheme.hpp"
+#include "typed_kernels.hpp"
 
 namespace thermoroll {
 namespace {
@@ -49,6 +55,47 @@ void kernels(std::ostream& out) {
   row(out, "zeta", "N1", "N2", "M");
   for (const double zeta : grid(-6, 6, 600))
     if (zeta != 0) row(out, zeta, kernel::N1(zeta), kernel::N2(zeta), kernel::M(zeta));
+}
+
+void errors(std::ostream& out, const Regime& regime) {
+  row(out, "method", "setting", "name", "quantity", "error");
+  const Found exact = reference(regime);
+  for (const Run& run : runs(regime)) {
+    const Found found = run.find();
+    const auto compare = [&](const char* quantity, double value, double wanted) {
+      const double error = std::max(std::abs(value / wanted - 1), 1e-11);
+      if (!std::isnan(value)) row(out, run.method, run.setting, run.name, quantity, error);
+    };
+    compare("load", found.load_ratio - 1, exact.load_ratio - 1);
+    compare("temperature", found.hottest, exact.hottest);
+    compare("creep", found.creep, exact.creep);
+  }
+}
+
+void share_found(std::ostream& out) {
+  row(out, "peclet", "n", "load", "temperature");
+  for (const double pe : {100.0, paper::peclet}) {
+    const CoupledSolution exact = paper::coupled(0.5, pe);
+    for (const int n : {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}) {
+      const Scene scene = paper::scene(0.5, pe);
+      const auto x = solve_thrifty(scene, paper::formulation, NodeKernel::sample, {n});
+      const double top = thrifty_max_temperature(x, pe, NodeKernel::sample).temperature;
+      row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(load_ratio)),
+          top / exact.value(hottest));
+    }
+  }
+}
+
+void celsius_of_speed(std::ostream& out) {
+  row(out, "kind", "speed", "celsius");
+  for (const double pe : grid(1000, 17000, 32))
+    row(out, "converged", speed_at(pe),
+        celsius_per_unit_at(pe) * paper::coupled(0.5, pe).value(hottest));
+  for (const double speed : grid(0, 88, 44)) row(out, "law", speed, 272 * std::sqrt(speed / 25));
+  for (const double pe : {5000.0, 10000.0, 15000.0})
+    row(out, "scheme", speed_at(pe), celsius_per_unit_at(pe) * paper::scheme_max(0.5, pe));
+  for (const auto& [speed, celsius] : {std::pair{25, 272}, {50, 420}, {75, 490}})
+    row(out, "paper", speed, celsius);
 }
 
 void tractions_of_load(std::ostream& out) {
@@ -147,6 +194,165 @@ void coincident(std::ostream& out) {
     options.heaviside_at_zero = value;
     const PrintedSolution x = paper::scheme(0.5, 5000, options);
     row(out, value, fixed(printed_max_temperature(x, 5000).temperature, 6), x.outer_iterations);
+  }
+}
+
+void bands(std::ostream& out) {
+  row(out, "band", "$\\mathrm{Pe}$", "known", "here");
+  const HeatFlux uniform{-1, 1, [](double, double) { return 1; }};
+  for (const double pe : {0.1, 1.0, 10.0, 100.0, 5000.0}) {
+    const Peak top = max_temperature(uniform, pe);
+    row(out, "uniform", pe, fixed(jaeger_band(pe, top.at), 9), fixed(top.temperature.value, 9));
+  }
+  row(out, "semi-elliptic", "∞", "1.11", fixed(blok_factor(1e8), 4));
+}
+
+/// The most digits that a formula loses in a quarter of a decade about zeta.
+double most_lost(double (*formula)(double), double (*exact)(double), double zeta) {
+  double lost = 0;
+  for (const double place : grid(-0.125, 0.125, 12)) {
+    const double at = zeta * std::pow(10, place);
+    lost = std::max(lost, digits_lost(formula(at), exact(at)));
+  }
+  return lost;
+}
+
+void arithmetic(std::ostream& out) {
+  row(out, "zeta", "N1", "N1_scaled", "N2", "N2_scaled", "M", "M_scaled");
+  const auto M = [](double zeta) { return kernel::M(zeta); };
+  for (const double decade : grid(-12, 12, 96)) {
+    const double x = std::pow(10, decade);
+    row(out, x, most_lost(typed::N1, kernel::N1, x), most_lost(scaled::N1, kernel::N1, x),
+        most_lost(typed::N2, kernel::N2, -x), most_lost(scaled::N2, kernel::N2, -x),
+        most_lost(typed::M, M, -x), most_lost(scaled::M, M, -x));
+  }
+}
+
+void seen(std::ostream& out) {
+  row(out, "peclet", "nodes", "seen", "law");
+  const Carter c = paper::closed_form(0.5);
+  for (const double speed : grid(1, 5, 32))
+    for (const double size : grid(1, 3.3, 23)) {
+      const double peclet = std::pow(10, speed), exact = exact_load_change(c, peclet);
+      const int nodes = static_cast<int>(std::lround(std::pow(10, size)));
+      row(out, peclet, nodes, scheme_load_change(c, peclet, nodes) / exact,
+          1 - missed_load_change(c, peclet, nodes) / exact);
+    }
+}
+
+void values_on_resolution(nlohmann::ordered_json& v) {
+  const Carter half = paper::closed_form(0.5);
+  const double all = first_order_load_change(0.5) / (paper::friction * paper::heating);
+  const double spacing = pi / 100;
+  const double mean_sine = 16 * missed_load_change(half, 1, 99) / (spacing * spacing * all);
+  v["fails_c0"] = fixed(half.c0, 4);
+  v["fails_mean_sine"] = fixed(mean_sine, 2);
+  for (const auto& [name, missed] : {std::pair{"1", 0.01}, {"01", 0.001}}) {
+    const double per_speed = pi * std::sqrt(mean_sine / (16 * missed));
+    const double nodes = per_speed * paper::peclet;
+    v[std::string("fails_nodes_") + name] = fixed(per_speed, 1);
+    v[std::string("fails_steel_") + name] = fixed(1000 * std::round(nodes / 1000), 0);
+    v[std::string("fails_memory_") + name] = fixed(8e-9 * nodes * nodes, 0);
+  }
+}
+
+PrintedSolution cycling(int nodes) {
+  return solve_printed({paper::friction, 0.5, 100, 0.5}, Formulation::corrected, {nodes});
+}
+
+void cycle(std::ostream& out) {
+  row(out, "nodes", "step", "c0", "traction");
+  for (const int nodes : {89, 90, 91}) {
+    const PrintedSolution x = cycling(nodes);
+    for (std::size_t i = 0; i < std::min<std::size_t>(x.steps.size(), 140); ++i)
+      row(out, nodes, i + 1, x.steps[i].c0, x.steps[i].traction);
+  }
+}
+
+void values_on_cycle(nlohmann::ordered_json& v) {
+  const PrintedSolution undecided = cycling(90);
+  Eigen::Index nearest = 0;
+  (undecided.grid.t.array() - undecided.c0).abs().minCoeff(&nearest);
+  const double node = undecided.grid.t(nearest);
+  double hot = 1, cold = 0;  // of the last three steps, the tractions nearest to the gap
+  for (auto step = undecided.steps.rbegin(); step != undecided.steps.rbegin() + 3; ++step)
+    step->c0 < node ? hot = std::min(hot, step->traction) : cold = std::max(cold, step->traction);
+  int struck = 0;
+  for (int nodes = 20; nodes < 120; ++nodes) struck += cycling(nodes).converged ? 0 : 1;
+  v["cycle_node"] = fixed(node, 4);
+  v["cycle_hot"] = fixed(hot, 4);
+  v["cycle_cold"] = fixed(cold, 4);
+  v["cycle_struck"] = std::to_string(struck);
+}
+
+/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton led to the solution h.
+int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
+  const auto finds = [&](auto iterate) {
+    Eigen::VectorXd found = carter_start(map);
+    return iterate(found) > 0 && (found - h).norm() < 1e-4 * h.norm();
+  };
+  if (finds([&](Eigen::VectorXd& x) { return picard(map, x); })) return 1;
+  if (finds([&](Eigen::VectorXd& x) { return picard(map, x, 0.5); })) return 2;
+  if (finds([&](Eigen::VectorXd& x) { return anderson(map, x); })) return 3;
+  return finds([&](Eigen::VectorXd& x) { return newton(map, x); }) ? 4 : 5;
+}
+
+void iteration(std::ostream& out, Formulation formulation) {
+  row(out, "peclet", "strength", "method", "picard", "half");
+  for (const double speed : grid(-1, 5, 30)) {
+    const double peclet = std::pow(10, speed), f = paper::friction;
+    const double c0 = paper::closed_form(0.5).c0, most = 30 * std::max(1.0, 4 / peclet);
+    const FluxMap unit = flux_map({f, 0, peclet, 1}, formulation, 64, c0);
+    Eigen::VectorXd h = carter_start(unit);
+    double last = 1e-3 / peclet;
+    bool holds = true;
+    for (const double size : grid(0, 6, 30)) {
+      const double strength = std::pow(10, size), heating = strength / (f * peclet);
+      int method = 0;  // not tried
+      double full = 0, half = 0;
+      if (f * heating <= most) {
+        const FluxMap map = heated(unit, heating);
+        holds = holds && follow(unit, last, heating, h);
+        holds = holds && pressure_factor(map, h).minCoeff() > 0;
+        method = holds ? first_to_converge(map, h) : 6;  // too coarse a grid
+        if (holds) full = contraction(map, h), half = contraction(map, h, 0.5);
+      }
+      last = heating;
+      row(out, peclet, strength, method, fixed(full, 4), fixed(half, 4));
+    }
+  }
+}
+
+void iteration_steps(std::ostream& out) {
+  row(out, "$\\mathrm{Pe}$", "$fH$", "$\\rho_1$", "Picard", "half steps", "Anderson", "Newton",
+      "led");
+  const auto cell = [](int steps) { return steps > 0 ? std::to_string(steps) : "–"; };
+  for (const double peclet : {1.0, 100.0, paper::peclet})
+    for (const double f_h : {0.01, 0.3, 1.0, 3.0, 10.0}) {
+      const double heating = f_h / paper::friction, c0 = paper::closed_form(0.5).c0;
+      const Scene scene{paper::friction, 0, peclet, 1};
+      const FluxMap unit = flux_map(scene, Formulation::corrected, 128, c0);
+      const FluxMap map = heated(unit, heating);
+      Eigen::VectorXd h = carter_start(map), x = h;
+      const int led = follow(unit, 1e-3 / peclet, heating, h);
+      const auto steps = [&](auto iterate) { return x = carter_start(map), cell(iterate()); };
+      row(out, peclet, f_h, fixed(contraction(map, h), 2), steps([&] { return picard(map, x); }),
+          steps([&] { return picard(map, x, 0.5); }), steps([&] { return anderson(map, x); }),
+          steps([&] { return newton(map, x); }), cell(led));
+    }
+}
+
+void ends(std::ostream& out) {
+  row(out, "peclet", "fast", "slow");
+  const HeatFlux flux = carter_flux(paper::closed_form(0.5));
+  const double fast = hottest_when_fast(flux);
+  for (const double speed : grid(-3, 8, 33)) {
+    const double peclet = std::pow(10, speed);
+    const Scene scene{paper::friction, 0, peclet, 0};
+    const double top =
+        solve_coupled(scene, Formulation::corrected, 1e-9, {traction, 0.5}).value(hottest);
+    row(out, peclet, std::abs(fast / std::sqrt(peclet) / top - 1),
+        std::abs(hottest_when_slow(flux, peclet) / top - 1));
   }
 }
 
@@ -255,6 +461,8 @@ void values(std::ostream& out) {
   const auto semi_axis = [&](double force) { return 3 * force / (4 * steel.load); };
   v["ellipse_as_printed"] = fixed(semi_axis(1.47e7), 2);
   v["ellipse_mended"] = fixed(1000 * semi_axis(1.47e5), 0);
+  values_on_resolution(v);
+  values_on_cycle(v);
   out << v.dump(2) << '\n';
 }
 
@@ -263,6 +471,9 @@ using Writer = std::function<void(std::ostream&)>;
 const std::vector<std::pair<std::string, Writer>>& writers() {
   const auto of_load = [](double load) {
     return [=](std::ostream& out) { temperature_by_peclet(out, load); };
+  };
+  const auto of_regime = [](const Regime& regime) {
+    return [=](std::ostream& out) { errors(out, regime); };
   };
   static const std::vector<std::pair<std::string, Writer>> table{
       {"geometry", geometry},
@@ -277,8 +488,21 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
       {"subsurface", subsurface},
       {"sliding", sliding},
       {"creep", creep_curve},
+      {"nodes", share_found},
+      {"celsius", celsius_of_speed},
+      {"speed-steel", of_regime(regimes[0])},
+      {"speed-slow", of_regime(regimes[1])},
+      {"speed-hot", of_regime(regimes[2])},
+      {"arithmetic", arithmetic},
+      {"seen", seen},
+      {"cycle", cycle},
+      {"ends", ends},
+      {"iteration-a", [](std::ostream& out) { iteration(out, Formulation::printed); }},
+      {"iteration-b", [](std::ostream& out) { iteration(out, Formulation::corrected); }},
       {"resolution", resolution},
       {"coincident", coincident},
+      {"bands", bands},
+      {"iteration-steps", iteration_steps},
       {"claims", claims_table},
       {"values", values},
   };

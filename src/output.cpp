@@ -1,6 +1,9 @@
 // Tangled from paper/A-command-line.md; edit there.
 #include "output.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -91,6 +94,12 @@ void require_finite(const Row<T> (&rows)[n], const T& values) {
                          std::to_string(values.*row.value));
 }
 
+void require_finite(const Solution& x, const std::optional<PhysicalResults>& physical) {
+  require_finite(result_rows, x.value);
+  if (x.error) require_finite(result_rows, *x.error);
+  if (physical) require_finite(physical_rows, *physical);
+}
+
 const char* name_of(Method method) {
   if (method == Method::coupled) return "coupled";
   return method == Method::closed_form ? "closed-form" : "gauss-chebyshev";
@@ -128,24 +137,15 @@ json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) 
 
 std::string csv_cell(const json& value) {
   if (value.is_null()) return "";
-  if (!value.is_string()) return value.dump();
-  std::string text = value;
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  for (std::size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
-    text.insert(i, "\"");
-  return '"' + text + '"';
+  return value.is_string() ? quoted(value) : value.dump();
 }
 
-void flatten(const json& o, const std::string& prefix, std::string& header, std::string& cells) {
-  for (const auto& [key, value] : o.items()) {
-    if (value.is_object()) {
-      flatten(value, prefix + key + ".", header, cells);
-      continue;
-    }
-    const char* comma = header.empty() ? "" : ",";
-    header.append(comma).append(prefix).append(key);
-    cells.append(comma).append(csv_cell(value));
-  }
+void flatten(const json& o, const std::string& prefix, std::vector<Field>& fields) {
+  for (const auto& [key, value] : o.items())
+    if (value.is_object())
+      flatten(value, prefix + key + ".", fields);
+    else
+      fields.push_back({prefix + key, csv_cell(value)});
 }
 
 std::string remark(const Solution& x) {
@@ -222,31 +222,48 @@ Written write_aside(const Answer& answer) {
   throw std::system_error(reason, std::generic_category(), "cannot write " + file);
 }
 
-void print(const std::string& text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot write to standard output");
-}
-
 void put_in_place(const Written& x) {
   if (std::rename(x.aside.c_str(), x.target.c_str()) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot write " + x.file);
 }
 
+void take_back(std::size_t count) {
+  const off_t end = lseek(STDOUT_FILENO, 0, SEEK_CUR);  // negative for a pipe
+  const bool appends = (fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) != 0;
+  if (count == 0 || end < 0 || appends) return;
+  [[maybe_unused]] const int none = ftruncate(STDOUT_FILENO, end - static_cast<off_t>(count));
+}
+
 }  // namespace
+
+std::string quoted(std::string text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  for (std::size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
+    text.insert(i, "\"");
+  return '"' + text + '"';
+}
+
+std::vector<Field> csv_fields(const Solution& x, const std::optional<PhysicalResults>& physical) {
+  require_finite(x, physical);
+  json o = to_json(x, physical);
+  if (!x.error)
+    for (const auto& row : result_rows) o["error_estimate"][row.name] = nullptr;
+  std::vector<Field> fields;
+  flatten(o, "", fields);
+  return fields;
+}
 
 std::string present(const Solution& x, const std::optional<PhysicalResults>& physical,
                     Format format) {
-  require_finite(result_rows, x.value);
-  if (x.error) require_finite(result_rows, *x.error);
-  if (physical) require_finite(physical_rows, *physical);
+  require_finite(x, physical);
   if (format == Format::text) return to_text(x, physical);
-  json o = to_json(x, physical);
-  if (format == Format::json) return o.dump(2) + '\n';
-  if (!x.error)
-    for (const auto& row : result_rows) o["error_estimate"][row.name] = nullptr;
+  if (format == Format::json) return to_json(x, physical).dump(2) + '\n';
   std::string header, cells;
-  flatten(o, "", header, cells);
+  for (const Field& field : csv_fields(x, physical)) {
+    const char* comma = header.empty() ? "" : ",";
+    header.append(comma).append(field.name);
+    cells.append(comma).append(field.cell);
+  }
   return header + '\n' + cells + '\n';
 }
 
@@ -259,7 +276,7 @@ std::string present(const std::vector<Claim>& claims, Format format) {
   std::string text;
   for (const auto& row : table)
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += csv_cell(row[i]) + (i + 1 < row.size() ? ',' : '\n');
+      text += quoted(row[i]) + (i + 1 < row.size() ? ',' : '\n');
   return text;
 }
 
@@ -294,7 +311,25 @@ std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   return text + '\n';
 }
 
+std::timed_mutex& writing() {
+  static std::timed_mutex mutex;
+  return mutex;
+}
+
+void print(const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = write(STDOUT_FILENO, text.data() + done, text.size() - done);
+    if (count < 0) {
+      const int reason = errno;
+      take_back(done);
+      throw std::system_error(reason, std::generic_category(), "cannot write to standard output");
+    }
+    done += static_cast<std::size_t>(count);
+  }
+}
+
 void deliver(const std::vector<Answer>& answers) {
+  const std::lock_guard<std::timed_mutex> whole(writing());
   std::vector<Written> written;
   try {
     for (const Answer& answer : answers)

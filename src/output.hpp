@@ -1,6 +1,7 @@
 // Tangled from paper/A-command-line.md; edit there.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,18 @@ enum class Format { text, json, csv };
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
 std::string present(const Solution& x, const std::optional<PhysicalResults>& physical,
                     Format format);
+
+/// A column's name and a row's cell in it.
+struct Field {
+  std::string name, cell;
+};
+
+/// The names and cells of a solution as CSV; the names depend on nothing but whether there are
+/// physical results. Throws NotConverged where a number of it is not finite.
+std::vector<Field> csv_fields(const Solution& x, const std::optional<PhysicalResults>& physical);
+
+/// A text as a cell of CSV: between quotes where it must be.
+std::string quoted(std::string text);
 
 /// The table of claims in a format.
 std::string present(const std::vector<Claim>& claims, Format format);
@@ -34,5 +47,11 @@ struct Answer {
 /// Write the answers, each as a whole, or none where one cannot be written (what has gone to
 /// standard output or a device stays there). Throws std::system_error.
 void deliver(const std::vector<Answer>& answers);
+
+/// Write to standard output at once. Throws std::system_error.
+void print(const std::string& text);
+
+/// Held by deliver(), and to be held about print(): while it is not held, all output is whole.
+std::timed_mutex& writing();
 
 }  // namespace thermoroll

@@ -1,12 +1,11 @@
 // Tangled from paper/07-printed-scheme.md; edit there.
 #include "printed_scheme.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
 
-#include "carter.hpp"
+#include "nested_iteration.hpp"
 
 namespace thermoroll {
 
@@ -28,27 +27,30 @@ MatrixXd cauchy_matrix(const Grid& g) {
   return g.w.transpose().replicate(n + 1, 1).cwiseQuotient(distance) / pi;
 }
 
-namespace {
-
-/// w_k v*(t_k) at the hot nodes, zero at the others.
 VectorXd hot_slip(const PrintedSolution& x) {
   return (x.grid.t.array() > x.c0).select(x.grid.w.cwiseProduct(x.slip), 0);
 }
 
-/// What stays fixed while the iterations run.
+VectorXd node_heat(const PrintedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
+
+namespace {
+
 struct Problem {
   Scene scene;
   Formulation formulation;
-  MatrixXd cauchy, slope;
+  MatrixXd cauchy;
   double coincident;  // what stands for N* at a coincident node
 };
 
-/// eps f Pe H N1*(t_k - s_m), row m, column k.
-MatrixXd slope_matrix(const Scene& scene, Formulation formulation, const Grid& g) {
-  MatrixXd n1(g.s.size(), g.t.size());
-  for (Index k = 0; k < n1.cols(); ++k)
-    for (Index m = 0; m < n1.rows(); ++m) n1(m, k) = kernel::N1(scene.peclet * (g.t(k) - g.s(m)));
-  return slope_sign(formulation) * scene.friction * scene.peclet * scene.heating * n1;
+/// eps f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is not hot.
+MatrixXd slope_matrix(const Problem& problem, const PrintedSolution& x) {
+  const auto& [friction, traction, peclet, heating] = problem.scene;
+  const auto& [t, w, s] = x.grid;
+  MatrixXd n1 = MatrixXd::Zero(s.size(), t.size());
+  for (Index k = 0; k < t.size() && t(k) > x.c0; ++k)
+    for (Index m = 0; m < s.size(); ++m) n1(m, k) = kernel::N1(peclet * (t(k) - s(m)));
+  return slope_sign(problem.formulation) * friction * peclet * heating * n1 *
+         hot_slip(x).asDiagonal();
 }
 
 /// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
@@ -68,8 +70,8 @@ void solve_normal(const Problem& problem, PrintedSolution& x) {
   const auto& [t, w, s] = x.grid;
   const Index n = t.size();
   MatrixXd a(n + 2, n + 2);
-  a << problem.cauchy + problem.slope * hot_slip(x).asDiagonal(), VectorXd::Ones(n + 1), 2 / pi * s,
-      w.transpose(), 0, 0;
+  a << problem.cauchy + slope_matrix(problem, x), VectorXd::Ones(n + 1), 2 / pi * s, w.transpose(),
+      0, 0;
   const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
   x.phi = unknown.head(n);
   x.gamma0 = unknown(n);
@@ -87,21 +89,6 @@ void solve_stick(const Problem& problem, PrintedSolution& x) {
   const VectorXd unknown = a.partialPivLu().solve(right);
   x.phi0 = unknown.head(n);
   x.creep_constant = unknown(n);
-}
-
-/// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in x.
-bool find_border(const Problem& problem, PrintedSolution& x, const PrintedOptions& options) {
-  const double wanted = problem.scene.friction - problem.scene.traction;
-  for (int step = 1; step <= options.max_inner; ++step) {
-    x.inner_iterations = std::max(x.inner_iterations, step);
-    solve_normal(problem, x);
-    solve_stick(problem, x);
-    const double b = (1 + x.c0) / 2, found = -b * x.grid.w.dot(x.phi0);
-    if (std::abs(found - wanted) <= options.tolerance * problem.scene.traction) return true;
-    if (!(found > 0)) return false;
-    x.c0 = 2 * std::min(b * std::sqrt(wanted / found), 1.0) - 1;
-  }
-  return false;
 }
 
 /// v* at the nodes of the slip zone, @eq:discrete-slip; zero at the others.
@@ -131,32 +118,12 @@ double interpolate(const Grid& g, const VectorXd& values, double at) {
 
 }  // namespace
 
-VectorXd node_heat(const PrintedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
-
 PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
                               const PrintedOptions& options) {
-  check(scene);
-  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
-  PrintedSolution x;
-  x.grid = gauss_chebyshev(options.nodes);
-  x.c0 = carter(scene.friction, scene.traction).c0;
-  x.slip = VectorXd::Zero(options.nodes);
+  PrintedSolution x = before_iterating(scene, options);
   const double self = -slope_sign(formulation) * scene.friction * options.heaviside_at_zero;
-  const Problem problem{scene, formulation, cauchy_matrix(x.grid),
-                        slope_matrix(scene, formulation, x.grid), self};
-  int failures = 0;
-  while (!x.converged && failures < options.max_failures &&
-         x.outer_iterations < options.max_outer) {
-    ++x.outer_iterations;
-    const bool found = find_border(problem, x, options);
-    if (!found) ++failures;
-    const VectorXd v = slip_velocity(problem, x);
-    const double change = (v - x.slip).lpNorm<Eigen::Infinity>();
-    x.slip = v;
-    x.converged = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
-    if (!v.allFinite()) break;
-  }
-  x.creep = x.creep_constant - scene.friction * x.gamma0;
+  const Problem problem{scene, formulation, cauchy_matrix(x.grid), self};
+  iterate(problem, x, options);
   return x;
 }
 

@@ -1,6 +1,8 @@
 // Tangled from paper/07-printed-scheme.md; edit there.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "kernels.hpp"
@@ -30,6 +32,11 @@ struct PrintedOptions {
   int max_failures = 10;         ///< bound on the outer steps whose inner steps did not settle
 };
 
+/// One step of the inner iteration: a border and the traction found there.
+struct InnerStep {
+  double c0, traction;
+};
+
 /// What the scheme computes; dimensionless. The scheme has no error estimate.
 struct PrintedSolution {
   Grid grid;
@@ -42,13 +49,17 @@ struct PrintedSolution {
   double load_ratio = 1;      ///< kappa = P_H / P
   double gamma0 = 0;          ///< the constant of @eq:discrete-normal
   int outer_iterations = 0;
-  int inner_iterations = 0;  ///< the largest count of any outer step
-  bool converged = false;    ///< whether both iterations settled
+  int inner_iterations = 0;      ///< the largest count of any outer step
+  std::vector<InnerStep> steps;  ///< of all outer steps
+  bool converged = false;        ///< whether both iterations settled
 };
 
 /// Run the scheme. Throws std::invalid_argument for a scene or a node count out of range.
 PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
                               const PrintedOptions& options = {});
+
+/// w_k v*(t_k) at the hot nodes, those with t_k > c0, zero at the others.
+Eigen::VectorXd hot_slip(const PrintedSolution& x);
 
 /// The heat g_k at each node, @eq:node-heat; their sum is the integral of v* p*.
 Eigen::VectorXd node_heat(const PrintedSolution& x);

@@ -231,6 +231,11 @@ PhysicalResults in_si_units(const Solution& x, const PhysicalCase& c) {
           x.value.max_temperature * unit.temperature};
 }
 
+void require_converged(const Solution& x) {
+  if (!x.converged)
+    throw NotConverged("the iteration did not converge; what is written is its last iterate");
+}
+
 double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
                             const Approach& approach) {
   require(radius > 0, "radius", radius, "positive");

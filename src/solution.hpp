@@ -89,6 +89,9 @@ struct NotConverged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws NotConverged unless x has converged.
+void require_converged(const Solution& x);
+
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
 /// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.
 double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,

@@ -1,48 +1,13 @@
 #!/usr/bin/env bash
 # command_test.sh CASE PROGRAM: one thing that the program's users rely on, run in the project's
 # folder. The cases are the functions below that begin with a capital.
-source tests/common.sh
-program=$(realpath "$2")
-chapter=$(realpath paper/A-command-line.md)
-cd "$work"
+source tests/command_line/program.sh
 
 paper_case=(--friction 0.6 --traction 0.5 --peclet 5000 --heating 0.0175)
 steel=(--friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3
   --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50)
 published=(--method gauss-chebyshev --nodes 200 --formulation printed)
 methods="closed-form gauss-chebyshev coupled"
-
-# run ARGUMENT...: leaves the status in $status, the output in `out` and the messages in `err`.
-run() {
-  status=0
-  "$program" "$@" >out 2>err || status=$?
-}
-
-# answers ARGUMENT...: succeeds, and says nothing beside the answer, but for a note on the scheme.
-answers() {
-  run "$@"
-  [ $status -eq 0 ] || fail "$* gave status $status: $(cat err)"
-  case "$*" in
-  *gauss-chebyshev*) sed -i '/^thermoroll: note: /d' err ;;
-  esac
-  [ ! -s err ] || fail "$* said: $(cat err)"
-  [ -s out ] || fail "$* answered nothing"
-}
-
-one_line() { # one_line WORDS: exactly one line was said, with these words in it
-  [ "$(wc -l <err)" -eq 1 ] && grep -q '^thermoroll: .' err || fail "not one line: $(cat err)"
-  grep -qF -- "$1" err || fail "said: $(cat err); expected: $1"
-}
-
-# refuses STATUS WORDS ARGUMENT...: this status, one line with these words, no output.
-refuses() {
-  local expected=$1 words=$2
-  shift 2
-  run "$@"
-  [ $status -eq "$expected" ] || fail "$* gave status $status, not $expected: $(cat err)"
-  [ ! -s out ] || fail "$* wrote: $(cat out)"
-  one_line "$words"
-}
 
 # value KEY: what the JSON in `out` has for this key, at its first place.
 value() { sed -n "s/^ *\"$1\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}$/\1/p" out | head -1; }
@@ -441,7 +406,7 @@ TemperatureMeetsNodes() {
 
 # The chapter's own file, as wheel.toml.
 write_wheel() {
-  awk '/^``` toml$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$chapter" >wheel.toml
+  code toml A-command-line.md >wheel.toml
   grep -q '^load = ' wheel.toml || fail "the chapter has no case file"
 }
 
@@ -631,6 +596,52 @@ UnwritableOutput() {
   [ "$(cat blocked)" = old ] || fail "the old file was changed"
 }
 
+# Where nothing may be written, and where a file may not grow as large as it would. The program must
+# be one that anybody can run.
+ReadOnlyFolderAndFullDisk() {
+  local arguments
+  cp "$program" program
+  echo old >file
+  chmod 755 "$scratch" . program
+  for arguments in "solve ${paper_case[*]} --output file" "solve ${paper_case[*]} --profile new" \
+    "figure-data kernels --output file" "temperature ${paper_case[*]} --at 0 --output new"; do
+    status=0
+    # shellcheck disable=SC2086
+    powerless ./program $arguments >out 2>err || status=$?
+    [ $status -eq 1 ] && [ ! -s out ] || fail "$arguments gave status $status: $(cat err)"
+    one_line "cannot write ${arguments##* }: Permission denied"
+  done
+  for arguments in "temperature ${paper_case[*]} --at 0:1:101 --output file" \
+    "solve ${paper_case[*]} --profile file" "figure-data kernels --output file"; do
+    status=0
+    # shellcheck disable=SC2086
+    (ulimit -f 1 && "$program" $arguments 2>err) || status=$?
+    [ $status -eq 1 ] || fail "$arguments gave status $status: $(cat err)"
+    one_line "cannot write file: File too large"
+  done
+  [ "$(cat file)" = old ] || fail "the old file was changed"
+  [ "$(ls)" = "$(printf '%s\n' err file out program)" ] || fail "left behind: $(ls)"
+}
+
+# A signal while it computes, with files to be written.
+InterruptedLeavesNothing() {
+  echo old >file
+  local slow=(--method gauss-chebyshev --nodes 5000) signal number name
+  while read -r signal number name; do
+    interrupt "$signal" "$program" solve "${paper_case[@]}" "${slow[@]}" --output file >out
+    [ $status -eq "$number" ] && [ ! -s out ] || fail "status $status: $(cat err)"
+    one_line "stopped by a signal: $name"
+    interrupt "$signal" "$program" figure-data values --output new >out
+    [ $status -eq "$number" ] && [ ! -s out ] || fail "status $status: $(cat err)"
+  done <<'END'
+INT 130 Interrupt
+TERM 143 Terminated
+HUP 129 Hangup
+END
+  [ "$(cat file)" = old ] || fail "the old file was changed"
+  [ "$(ls)" = "$(printf '%s\n' err file out)" ] || fail "left behind: $(ls)"
+}
+
 FullDevice() {
   local arguments
   for arguments in --help --version "solve --help" "figure-data --list" "figure-data kernels" \
@@ -697,7 +708,7 @@ Version() {
 
 Help() {
   local command
-  for command in "" solve temperature figure-data claims; do
+  for command in "" solve sweep temperature figure-data claims; do
     # shellcheck disable=SC2086
     answers $command --help
     grep -q '^Examples:$' out || fail "no examples: $command"
@@ -711,10 +722,11 @@ Help() {
 # Every example of every --help, just as it stands there.
 ExamplesRun() {
   write_wheel
+  printf '%s\n' friction,traction,peclet 0.6,0.5,100 >scenes.csv
   mkdir bin
   ln -s "$program" bin/thermoroll
   local command count=0 example
-  for command in "" solve temperature figure-data claims; do
+  for command in "" solve sweep temperature figure-data claims; do
     # shellcheck disable=SC2086
     answers $command --help
     sed -n '/^Examples:/,/^$/p' out | sed -e :a -e '/\\$/N; s/\\\n *//; ta' | sed -n 's/^  //p' >examples
@@ -724,7 +736,7 @@ ExamplesRun() {
       count=$((count + 1))
     done <examples
   done
-  [ $count -ge 13 ] || fail "only $count examples found"
+  [ $count -ge 16 ] || fail "only $count examples found"
 }
 
 "$1"

@@ -33,10 +33,11 @@ complete() (
     grep -qE "@${id%-[b-z]}(-a)?([^a-z-]|$)" paper/*.md || missing "$id is not referred to"  # -a stands for its panels
   done <<<"$figures"
 
-  # Data without a figure belong to a table.
+  # Data without a figure belong to a table, or are read by a figure beside its own.
   for file in build/data/*.csv; do
     name=$(basename "$file" .csv)
-    grep -qx "$name" <<<"$used" || grep -q "csv=\"$name.csv\"" paper/*.md || missing "$name.csv is not used"
+    grep -qx "$name" <<<"$used" || grep -q "csv=\"$name.csv\"" paper/*.md ||
+      grep -q "/$name.csv" figures/*.gp || missing "$name.csv is not used"
   done
 )
 

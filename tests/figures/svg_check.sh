@@ -25,6 +25,27 @@ curves_of() {
         for kind in rolling sliding; do echo "Q* = $traction, $kind"; done
       done ;;
     creep) printf '%s\n' converged 'published scheme' ;;
+    nodes)
+      for what in 'T*' '1 − κ'; do
+        for peclet in 100 4360; do echo "$what, Pe = $peclet"; done
+      done ;;
+    celsius) printf '%s\n' converged 'T ∝ √V' 'published scheme' paper ;;
+    speed-*)
+      for quantity in load temperature creep; do
+        for method in label label label label label 'published scheme' thriftily \
+          'means for samples' coupled 'closed form'; do
+          echo "$quantity: $method"
+        done
+      done ;;
+    arithmetic)
+      printf '%s\n' 'law of N1' 'law of N2 near zero' 'law of N2 at infinity'
+      for formula in printed scaled; do
+        for kernel in N1 N2 M; do echo "$kernel, $formula"; done
+      done ;;
+    seen) printf '%s\n' 'share seen' levels law 'range of the paper' ;;
+    iteration-?) printf '%s\n' method 'Picard contracts' 'half steps contract' ;;
+    ends) printf '%s\n' 'from the fast limit' 'from the slow limit' ;;
+    cycle) printf '%s\n' 'n = 90' steps 'n = 89' 'n = 91' ;;
   esac
 }
 
@@ -33,23 +54,40 @@ labels_of() {
   case $1 in
     geometry) printf '%s\n' P Q R x y V 'V / R' −a c a stick slip 'heat f V v p' half-space ;;
     kernels) printf '%s\n' ζ M N1 N2 upstream downstream ;;
-    traction) printf '%s\n' s 'q*' 0.2 0.4 0.5 'Q* = 0.59' converged 'published scheme, n = 200' ;;
-    slip) printf '%s\n' s 'v*' 0.2 0.4 0.5 'Q* = 0.59' converged 'published scheme, n = 200' ;;
+    traction) printf '%s\n' s 'q*' 0.2 0.4 0.5 'Q* = 0.59' 'converged, H = 0' 'published scheme, n = 200' ;;
+    slip) printf '%s\n' s 'v*' 0.2 0.4 0.5 'Q* = 0.59' 'converged, H = 0' 'published scheme, n = 200' ;;
     temperature-load)
-      printf '%s\n' s 'T*' 0.2 0.4 0.5 'Q* = 0.59' converged 'published scheme, n = 200' ;;
+      printf '%s\n' s 'T*' 0.2 0.4 0.5 'Q* = 0.59' 'converged, H = 0' 'published scheme, n = 200' ;;
     temperature-?)
-      printf '%s\n' s 'T*' 'Pe = 100' 500 1000 5000 converged 'published scheme, n = 200' ;;
-    subsurface) printf '%s\n' s y 'T*' stick slip 0.0005 0.002 0.004 0.006 ;;
+      printf '%s\n' s 'T*' 'Pe = 100' 500 1000 5000 'converged, H = 0' 'published scheme, n = 200' ;;
+    subsurface) printf '%s\n' s y 'T*' stick slip 0.0005 0.002 0.004 0.006 0.009 ;;
     sliding) printf '%s\n' s 'T*' 'rolling, Q* = 0.5' 'rolling, Q* = 0.2' sliding ;;
-    creep) printf '%s\n' 'ξ*' 'Q*' 'full sliding, Q* = f' converged 'published scheme, n = 200' ;;
+    creep) printf '%s\n' 'ξ*' 'Q*' 'full sliding, Q* = f' 'converged, H = 0' 'published scheme, n = 200' ;;
+    nodes)
+      printf '%s\n' n '% found' 'largest temperature' '1 − κ, Pe = 100' '1 − κ, Pe = 4360' ;;
+    celsius)
+      printf '%s\n' '°C' 'V, m/s' converged 'the paper' 'published scheme, n = 200' ;;
+    speed-*)
+      printf '%s\n' 'relative error' 'a. Thermal correction of the load, κ − 1' \
+        'b. Largest temperature' 'c. Creep' '1 %' '1 ms' coupled thriftily 'means for samples' 'closed form' ;;
+    seen) printf '%s\n' 'the paper' Pe n '99.9 %' '99 %' '90 %' '50 %' '10 %' 'share seen' ;;
+    iteration-?)
+      printf '%s\n' Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'grid too coarse' \
+        'ρ = 1' Pe 'f Pe H' ;;
+    ends) printf '%s\n' 'relative distance' Pe 'slow limit' 'fast limit' ;;
+    cycle) printf '%s\n' 'inner step' c0 'a node of n = 90' 'n = 90: no end' 'n = 89 and 91: settled' ;;
+    arithmetic) printf '%s\n' 'digits lost, of 16' '|ζ|' N1 N2 M 'as printed' 'with scaled functions' ;;
   esac
 }
+
+# The height of the picture; all are 560 wide.
+height_of() { case $1 in speed-*) echo 900 ;; *) echo 380 ;; esac; }
 
 check_svg() {
   local name=$1 file=$2 id=${1//-/_}
   wrong() { echo "$name: $*" >&2; return 1; }
   xmllint --noout "$file" 2>/dev/null || wrong "not XML" || return
-  [ "$(query "$file" 'string(/*/@viewBox)')" = '0 0 560 380' ] || wrong "viewBox" || return
+  [ "$(query "$file" 'string(/*/@viewBox)')" = "0 0 560 $(height_of "$name")" ] || wrong "viewBox" || return
   [ "$(query "$file" 'string(/*/*[local-name()="title"])')" = "$id" ] || wrong "title" || return
   [ "$(wc -c <"$file")" -lt 300000 ] || wrong "too large" || return
 
@@ -59,13 +97,13 @@ check_svg() {
   [ -n "$titles" ] && [ "$titles" = "$(curves_of "$name")" ] || wrong "curves: $titles" || return
 
   local empty="[not(.//*[local-name()='path' or local-name()='polygon'][string-length(concat(@d, @points)) > 9]
-    or .//*[local-name()='use'] or .//*[local-name()='image'])]"
+    or .//*[local-name()='use'] or .//*[local-name()='image'] or .//*[local-name()='text'])]"
   [ "$(query "$file" "count($plots$empty)")" = 0 ] || wrong "an empty curve" || return
 
   # No NaN or infinity among the coordinates, and none far outside of the picture.
   query "$file" '//@d | //@points | //@transform | //@x | //@y' | tr -c '0-9a-zA-Z.+\n-' ' ' | awk '
     tolower($0) ~ /nan|inf/ { exit 1 }
-    { gsub(/[A-Za-z]/, " "); for (i = 1; i <= NF; ++i) if ($i < -40 || $i > 700) exit 1 }' ||
+    { gsub(/[A-Za-z]/, " "); for (i = 1; i <= NF; ++i) if ($i < -40 || $i > 1000) exit 1 }' ||
     wrong "a coordinate that is none" || return
 
   [ "$(query "$file" 'count(//@*[local-name()="href"][not(starts-with(., "#") or starts-with(., "data:"))])')" = 0 ] ||

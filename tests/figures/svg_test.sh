@@ -17,8 +17,8 @@ expect_damage_seen() {
   grep -q "^$1: $2" "$work/log" || fail "$1: not seen as: $2: $(cat "$work/log")"
 }
 for name in $names; do
-  first="/id=\"${name//-/_}_plot_1\"/"
-  last="/id=\"${name//-/_}_plot_$(curves_of "$name" | wc -l)\"/"
+  first="/<title>$(curves_of "$name" | head -n 1 | sed 's/[*]/\\&/')<\/title>/"
+  last="/<title>$(curves_of "$name" | tail -n 1 | sed 's/[*]/\\&/')<\/title>/"
   label=$(labels_of "$name" | head -n 1)
   expect_damage_seen "$name" "curves" "$last,/^\t<\/g>/d"
   expect_damage_seen "$name" "curves" "$first s/<title>.*<\/title>/<title\/>/"

@@ -46,8 +46,8 @@ BuildsInFolderWithSpace() {
   mkdir -p "$copy"
   tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
   cd "$copy"
-  make all >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  expect_steps "$work/log" 'tangling the chapters' 'compiling the program'
+  make all build/thermoroll-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
   cp -r "$project/build/data" "$project/build/figures" build/
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
@@ -66,11 +66,11 @@ SecondRunDoesNothing() { # in the copy
 
 ProseEditRewritesTheReportOnly() { # in the copy
   in_copy
-  printf '\nOne sentence more.\n' >>paper/13-conclusions.md
+  printf '\nOne sentence more.\n' >>paper/15-conclusions.md
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' \
-    'writing build/report.html'
+    'compiling the benchmarks' 'writing build/report.html'
   [ -z "$(find src build/release build/data build/figures -newer "$work/before" \
     \( -name '*.?pp' -o -name '*.o' -o -name '*.a' -o -name thermoroll -o -path 'build/data/*' \
     -o -path 'build/figures/*' \))" ] || fail "something was compiled, computed or drawn"
@@ -154,7 +154,7 @@ SetupInstallsWhatTheGoalsNeed() {
   with_fakes make setup >/dev/null
   grep -q ' update$' "$work/asked" || fail "no update: $(cat "$work/asked")"
   grep -q -- '--no-install-recommends.* gnuplot-nox' "$work/asked" || fail "$(cat "$work/asked")"
-  ! grep -q 'chromium\|libgtest-dev\|libbenchmark-dev' "$work/asked" ||
+  ! grep -q 'chromium\|libgtest-dev' "$work/asked" ||
     fail "more than reproduce needs: $(cat "$work/asked")"
 }
 
@@ -212,26 +212,62 @@ PrintIsShort() { # in the copy
   [ "$size" -lt 4000000 ] || fail "$size bytes"
 }
 
-# What make install puts there can be found by CMake and used.
+# readme LANGUAGE: the README's block of code in this language.
+readme() { awk -v begin="\`\`\` $1" '$0 == begin { on = 1; next } /^```/ { on = 0 } on' "$project/README.md"; }
+
+# same_answers FILE FILE: the same words, and numbers no further apart than the errors stated behind
+# them and half a last digit.
+same_answers() {
+  awk -v other="$2" '
+    function words(line) { gsub(/[0-9][-+.0-9e]*/, "#", line); return line }
+    function half_digit(x) { sub(/^[0-9]*\.?/, "", x); return 0.5001 * 10 ^ -length(x) }
+    {
+      if ((getline line <other) != 1 || words($0) != words(line)) exit 1
+      split(line, b)
+      for (k = 1; k <= NF; ++k) {
+        if ($k !~ /^[0-9]/ || $(k - 1) == "+-") continue
+        bound = 2 * half_digit($k) + ($(k + 1) == "+-" ? $(k + 2) + b[k + 2] : 0)
+        if ($k - b[k] > bound || b[k] - $k > bound) exit 1
+      }
+    }
+    END { if ((getline line <other) == 1) exit 1 }' "$1"
+}
+
+# What make install puts there can be found by CMake and used, as the README shows.
 InstalledPackage() { # in the copy
   in_copy
-  make install PREFIX="$work/prefix" >/dev/null
-  "$work/prefix/bin/thermoroll" --version
-  mkdir "$work/user"
-  cat >"$work/user/CMakeLists.txt" <<'END'
-cmake_minimum_required(VERSION 3.21)
-project(user CXX)
-find_package(thermoroll REQUIRED)
-add_executable(user user.cpp)
-target_link_libraries(user PRIVATE thermoroll::thermoroll)
-END
-  cat >"$work/user/user.cpp" <<'END'
-#include <thermoroll/scene.hpp>
-int main() { return thermoroll::wheel_on_rail().speed > 0 ? 0 : 1; }
-END
-  cmake -S "$work/user" -B "$work/user/build" -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
-  cmake --build "$work/user/build" >/dev/null
-  "$work/user/build/user"
+  local prefix="$work/prefix" user="$work/user" file
+  make install PREFIX="$prefix" >/dev/null
+  "$prefix/bin/thermoroll" --version
+  for file in LICENSE CITATION.cff; do cmp $file "$prefix/share/doc/thermoroll/$file"; done
+
+  mkdir "$user"
+  readme cpp >"$user/example.cpp"
+  readme cmake >"$user/CMakeLists.txt"
+  readme text >"$user/expected"
+  cmake -S "$user" -B "$user/build" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
+  cmake --build "$user/build" >/dev/null
+  "$user/build/example" >"$user/printed"
+  same_answers "$user/expected" "$user/printed" ||
+    fail "the README says: $(cat "$user/expected"); printed was: $(cat "$user/printed")"
+
+  sed 's/^\(creep[^.]*\.[0-9][0-9]\)[0-9]/\1_/' "$user/expected" >"$user/other"
+  ! same_answers "$user/other" "$user/printed" || fail "another word was not found"
+  sed '/^creep/s/\.[0-9]/.9/' "$user/expected" >"$user/other"
+  ! same_answers "$user/other" "$user/printed" || fail "another number was not found"
+  sed '$d' "$user/expected" >"$user/other"
+  ! same_answers "$user/other" "$user/printed" || fail "a missing line was not found"
+
+  sed -i 's/find_package(thermoroll /&0.0 /' "$user/CMakeLists.txt"
+  ! cmake -S "$user" -B "$user/build" >/dev/null 2>&1 || fail "another version was taken for this one"
+}
+
+# Our builds stop at a warning; a plain one, by whatever compiler, goes on.
+WarningsAreErrorsInThePresets() {
+  grep -q -- '-Werror' build/release/compile_commands.json || fail "warnings are no errors"
+  cmake -B "$work/build" >/dev/null
+  grep -q -- '-Wconversion' "$work/build/compile_commands.json" || fail "a plain build does not warn"
+  ! grep -q -- '-Werror' "$work/build/compile_commands.json" || fail "a plain build stops at warnings"
 }
 
 # The extracts in the chapter on the build stand in the Makefile, line by line.

@@ -409,6 +409,31 @@ TEST(Coupled, SatisfiesItsOwnEquation) {
     }
 }
 
+// The reported flux is a fixed point of the map, to the rounding of its n-term sums, and the map's
+// load ratio is the reported one. The nodes are those of the last grid.
+TEST(Coupled, FluxMapIsTheProblemThatIsSolved) {
+  for (const Scene& scene : scenes)
+    for (const Formulation formulation : both) {
+      const double c0 = thermoroll::carter(scene.friction, scene.traction).c0;
+      const CoupledSolution x = solve_coupled(scene, formulation, 1e-6, {thermoroll::border, c0});
+      const thermoroll::FluxMap map = thermoroll::flux_map(scene, formulation, x.unknowns, c0);
+      const HeatFlux flux = thermoroll::coupled_flux(x);
+      Eigen::VectorXd h(x.unknowns);
+      for (Index i = 0; i < h.size(); ++i) {
+        const double left = map.s(i) - c0, right = 1 - map.s(i);
+        h(i) =
+            flux.density(left, right) * (1 - c0) / (2 * std::sqrt(left * right));  // over sin phi
+      }
+      const Eigen::ArrayXd p = (map.p * h).array() + 2 / thermoroll::pi;
+      const Eigen::ArrayXd v = (map.v * h).array() + 2 * scene.friction / thermoroll::pi;
+      const Eigen::VectorXd back = map.sigma.array() * p * v;
+      // Both angles lose sqrt(eps) next to the ends, where h is flat; Newton leaves 1e-14.
+      EXPECT_TRUE(
+          close((back - h).lpNorm<Eigen::Infinity>(), 0, 1e-11 * h.lpNorm<Eigen::Infinity>()));
+      EXPECT_TRUE(close(1 + map.kappa.dot(h), x.value(thermoroll::load_ratio), 1e-12));
+    }
+}
+
 // The largest temperature of all, and those of the profile, against the adaptive quadrature of the
 // heat flux. For a given border the flux is that of the reported values; for a given traction it
 // is off by the last small step of the border, which the tolerance covers.

@@ -1,0 +1,30 @@
+// Tangled from paper/13-where-methods-fail.md; edit there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thermoroll {
+
+/// The factors of a solution at ascending s inside (-1, 1), on both zones: pressure is
+/// p* / sqrt(1 - s^2), slip is v* / sqrt((1 + s)(s - c0)) beyond the border and
+/// (f p* - q*) / sqrt((1 + s)(c0 - s)) before it. Dimensionless.
+struct Factors {
+  double friction, border, load_ratio;  ///< f, c0, kappa
+  Eigen::ArrayXd s, pressure, slip;
+};
+
+/// A condition of @eq:admissible that fails: "separation" (p < 0), "backward slip" (v < 0),
+/// "traction above friction", "traction below -friction" (on stick), or "no load" (kappa <= 0), in
+/// from < s < to.
+struct Violation {
+  std::string what;
+  double from, to;
+};
+
+/// What is violated, in that order; a NaN is a violation. Empty for a contact.
+std::vector<Violation> violations(const Factors& x);
+
+}  // namespace thermoroll

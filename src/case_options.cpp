@@ -1,0 +1,199 @@
+// Tangled from paper/A-command-line.md; edit there.
+#include "case_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace thermoroll {
+namespace {
+
+struct CaseOption {
+  const char *name, *unit, *meaning;
+  Maybe CaseOptions::*value;
+};
+
+constexpr CaseOption si_options[] = {
+    {"--load", "N/m", "load per unit length P", &CaseOptions::load},
+    {"--speed", "m/s", "rolling speed V", &CaseOptions::speed},
+    {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &CaseOptions::shear_modulus},
+    {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &CaseOptions::poisson},
+    {"--expansion", "1/K", "thermal expansion alpha", &CaseOptions::expansion},
+    {"--diffusivity", "m^2/s", "thermal diffusivity k", &CaseOptions::diffusivity},
+    {"--conductivity", "W/(m K)", "thermal conductivity K", &CaseOptions::conductivity}};
+
+constexpr CaseOption size_options[] = {
+    {"--half-width", "m", "half-width a of the contact", &CaseOptions::half_width},
+    {"--radius", "m", "radius R of the cylinder: half-width follows, with kappa, for this load",
+     &CaseOptions::radius}};
+
+constexpr CaseOption given_options[] = {
+    {"--traction", "NUMBER", "traction Q* = Q/P, above 0 and below f", &CaseOptions::traction},
+    {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), positive",
+     &CaseOptions::creep},
+    {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
+     &CaseOptions::border}};
+
+Given read_given(const CaseOptions& o) {
+  if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
+    throw std::invalid_argument(
+        "exactly one of --traction, --creep and --stick-slip-border is needed");
+  if (o.traction) return {traction, *o.traction};
+  return o.creep ? Given{creep, *o.creep} : Given{border, *o.border};
+}
+
+/// A validator with this condition and this description of what is allowed.
+template <class Condition>
+CLI::Validator allow(Condition condition, const std::string& allowed) {
+  return {[=](const std::string& text) {
+            return condition(text) ? "" : text + " is not allowed: it must be " + allowed;
+          },
+          ""};
+}
+
+Approach read_approach(const CaseOptions& o) {
+  const Method method = o.method == "coupled"       ? Method::coupled
+                        : o.method == "closed-form" ? Method::closed_form
+                                                    : Method::gauss_chebyshev;
+  const bool printed = o.formulation == "printed";
+  return {method, printed ? Formulation::printed : Formulation::corrected, o.nodes, o.tolerance};
+}
+
+/// The key in CLI11's two complaints, "INI was not able to parse KEY" and "KEY: This option ...".
+std::string unknown_key(const std::string& text) {
+  const std::string start = "INI was not able to parse ";
+  return text.find(start) == 0 ? text.substr(start.size()) : text.substr(0, text.find(':'));
+}
+
+}  // namespace
+
+std::optional<double> to_number(const std::string& text) {
+  char* end = nullptr;
+  const double x = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(x)) return std::nullopt;
+  return x;
+}
+
+CLI::Validator finite_number() {
+  return allow([](const std::string& text) { return to_number(text).has_value(); },
+               "a finite number");
+}
+
+CLI::Validator whole_number() {
+  const auto is_whole = [](const std::string& text) {
+    int n = 0;
+    std::from_chars(text.data(), text.data() + text.size(), n);
+    return std::to_string(n) == text;
+  };
+  return allow(is_whole, "a whole number");
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto known = [=](const std::string& text) {
+    return std::find(words.begin(), words.end(), text) != words.end();
+  };
+  return allow(known, CLI::detail::join(words, " or "));
+}
+
+bool is_si_option(const std::string& name) {
+  const auto same = [&](const CaseOption& option) { return option.name == "--" + name; };
+  return std::any_of(std::begin(si_options), std::end(si_options), same) ||
+         std::any_of(std::begin(size_options), std::end(size_options), same);
+}
+
+void add_case_options(CLI::App& command, CaseOptions& o) {
+  const auto add = [&](const CaseOption& option, const char* group) {
+    return command.add_option(option.name, o.*option.value, option.meaning)
+        ->type_name(option.unit)
+        ->check(finite_number())
+        ->group(group);
+  };
+  const char* groups = "Dimensionless case";
+  command.add_option("--friction", o.friction, "friction coefficient f, positive")
+      ->type_name("NUMBER")
+      ->check(finite_number())
+      ->required()
+      ->group("Case");
+  for (const CaseOption& option : given_options) add(option, "Case");
+  add({"--peclet", "NUMBER", "Peclet number Pe = V a / 2k", &CaseOptions::peclet}, groups);
+  add({"--heating", "NUMBER", "heating H = 2 alpha (1+nu) k P / (a K), 0 if not given",
+       &CaseOptions::heating},
+      groups);
+  const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
+  for (const CaseOption& option : si_options) add(option, si);
+  for (const CaseOption& option : size_options) add(option, si);
+  command.add_option("--method", o.method, "coupled unless given")
+      ->type_name("coupled|closed-form|gauss-chebyshev")
+      ->check(one_of({"coupled", "closed-form", "gauss-chebyshev"}))
+      ->group("Method");
+  command.add_option("--tolerance", o.tolerance, "of coupled, 1e-11 to 1e-2; 1e-6 unless given")
+      ->type_name("NUMBER")
+      ->check(finite_number())
+      ->group("Method");
+  command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number())
+      ->group("Method");
+  command.add_option("--formulation", o.formulation, "sign of the slope, corrected unless given")
+      ->type_name("printed|corrected")
+      ->check(one_of({"printed", "corrected"}))
+      ->group("Method");
+}
+
+Case read_case(const CaseOptions& o) {
+  std::string given, missing;
+  for (const CaseOption& option : si_options)
+    (o.*option.value ? given : missing) += std::string(" ") + option.name;
+  for (const CaseOption& option : size_options)
+    if (o.*option.value) given += std::string(" ") + option.name;
+  const Approach approach = read_approach(o);
+  const Given x = read_given(o);
+  if (given.empty()) {
+    if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
+    return {{o.friction, x.value, *o.peclet, o.heating.value_or(0)}, x, approach, {}, {}};
+  }
+  if (o.peclet || o.heating)
+    throw std::invalid_argument("--peclet and --heating exclude data in SI units; given:" + given);
+  if (!missing.empty()) throw std::invalid_argument("data in SI units lack" + missing);
+  if (o.half_width.has_value() == o.radius.has_value())
+    throw std::invalid_argument("data in SI units need either --half-width or --radius");
+  const PhysicalCase c{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
+                       *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
+  return {{o.friction, x.value, 0, 0}, x, approach, c, o.radius};
+}
+
+SolvedCase solve_case(const Case& c) {
+  std::optional<PhysicalCase> physical = c.physical;
+  Scene scene = c.scene;
+  if (c.radius)
+    physical->half_width =
+        half_width_of_radius(*physical, *c.radius, scene.friction, c.given, c.approach);
+  if (physical) {
+    check(*physical);
+    scene = scene_of(*physical, scene.friction, c.given.value);
+  }
+  const Solution x = solve(scene, c.approach, c.given);
+  if (!physical) return {x, {}, {}};
+  return {x, units_of(*physical, scene.friction), in_si_units(x, *physical)};
+}
+
+std::string reworded(const CLI::ParseError& error, const std::vector<std::string>& unclaimed) {
+  if (!unclaimed.empty()) return "unexpected " + unclaimed.front() + " (see --help)";
+  const std::string text = error.what(), name = text.substr(0, text.find(':'));
+  switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
+    case CLI::ExitCodes::ValidationError:
+      return name.substr(name.find_first_not_of('-')) + " =" + text.substr(name.size() + 1);
+    case CLI::ExitCodes::ArgumentMismatch:
+      return name + " needs exactly one value";
+    case CLI::ExitCodes::FileError:
+      return "cannot read the case file " + text.substr(0, text.find(" was "));
+    case CLI::ExitCodes::ConfigError:
+      return "the case file sets what is no option for it: " + unknown_key(text);
+    default:
+      return text + " (see --help)";
+  }
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,298 @@
+// Tangled from paper/A-command-line.md; edit there.
+#include "command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "claims.hpp"
+#include "exit_status.hpp"
+#include "figure_data.hpp"
+#include "output.hpp"
+#include "sweep.hpp"
+#include "timings.hpp"
+
+namespace thermoroll {
+namespace {
+
+constexpr double most_points = 1000000;
+
+[[noreturn]] void refuse_points(const std::string& text) {
+  throw std::invalid_argument("at = " + text +
+                              " is not allowed: it must be A:B:N with N from 2 to 1000000, "
+                              "numbers A,B,... or one number");
+}
+
+class CaseFile : public CLI::ConfigBase {
+ public:
+  explicit CaseFile(const CLI::App& program) : program_(program) {}
+
+  std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
+    std::vector<CLI::ConfigItem> known;
+    std::set<std::string> seen;
+    for (CLI::ConfigItem& item : ConfigBase::from_config(in)) {
+      if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
+      if (item.parents.empty()) item.parents = {program_.get_subcommands().front()->get_name()};
+      if (!seen.insert(item.fullname()).second)
+        throw std::invalid_argument("the case file gives " + item.name + " twice");
+      known.push_back(item);
+    }
+    return known;
+  }
+
+ private:
+  const CLI::App& program_;
+};
+
+Format read_format(const std::string& name) {
+  return name == "json" ? Format::json : name == "csv" ? Format::csv : Format::text;
+}
+
+void conclude(const Solution& x) {
+  require_converged(x);
+  if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
+  const double apart = x.scene.peclet * pi / x.approach.nodes;
+  if (x.approach.method == Method::gauss_chebyshev && apart > 1)
+    std::fprintf(stderr,
+                 "thermoroll: note: the nodes are %.3g kernel widths apart: load_ratio, gamma0 and "
+                 "max_temperature are not resolved (see --method coupled)\n",
+                 apart);
+  if (x.approach.formulation == Formulation::printed)
+    std::fprintf(stderr,
+                 "thermoroll: note: thermal slope with the sign as printed (see --formulation "
+                 "corrected)\n");
+}
+
+void run_solve(const Options& o) {
+  if (!o.profile.empty() && o.profile == o.output)
+    throw std::invalid_argument("--profile and --output are the same file, " + o.output);
+  const auto [x, units, physical] = solve_case(read_case(o.of_case));
+  std::vector<Answer> answers{{present(x, physical, read_format(o.format)), o.output}};
+  if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
+  deliver(answers);
+  conclude(x);
+}
+
+void run_sweep(const Options& o) {
+  const unsigned processors = std::thread::hardware_concurrency();  // 0 if unknown
+  const int jobs = o.jobs.value_or(std::max(1, static_cast<int>(processors)));
+  require(1 <= jobs && jobs <= 1024, "jobs", jobs, "from 1 to 1024");
+  const bool to_terminal = isatty(STDERR_FILENO) != 0;
+  const SweepCount rows = sweep(STDIN_FILENO, jobs, to_terminal && isatty(STDOUT_FILENO) == 0);
+  if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
+  if (rows.failed > 0)
+    throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
+                     " rows have an error: see their columns status and error");
+}
+
+void run_temperature(const Options& o) {
+  const std::vector<double> at = read_points(o.at);
+  const auto [x, units, physical] = solve_case(read_case(o.of_case));
+  deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
+  conclude(x);
+}
+
+void run_figure_data(const Options& o) {
+  if (o.list == !o.name.empty())
+    throw std::invalid_argument("figure-data needs either a NAME or --list");
+  const bool timed = !o.times.empty();
+  const std::vector<std::string> names = timed ? timed_data_names() : figure_data_names();
+  if (o.list) return deliver({{CLI::detail::join(names, "\n") + '\n', o.output}});
+  if (std::find(names.begin(), names.end(), o.name) == names.end())
+    throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
+                                CLI::detail::join(names, ", "));
+  std::ostringstream out;
+  if (timed)
+    write_timed_data(o.name, read_times(o.times), out);
+  else
+    write_figure_data(o.name, out);
+  deliver({{out.str(), o.output}});
+}
+
+void run_claims(const Options& o) {
+  deliver({{present(claims(), read_format(o.format)), o.output}});
+}
+
+constexpr const char* solve_examples = R"(Examples:
+  thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
+  thermoroll solve --friction 0.6 --creep 0.2 --peclet 100 --heating 1 --tolerance 1e-9 \
+    --format json --profile profile.csv
+  thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --method closed-form --format json
+  thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+  thermoroll solve --config wheel.toml --traction 0.4
+
+The last reads the case from a file of lines such as "friction = 0.6" (TOML or INI).
+Methods: coupled solves tractions and heat together, to the tolerance; closed-form leaves out what
+the heat does to the tractions, and that is not counted in its errors; gauss-chebyshev is the
+published scheme and has no error estimate.
+Temperatures in degree C are rises above ambient.)";
+
+constexpr const char* sweep_examples = R"(Examples:
+  thermoroll sweep <scenes.csv >results.csv
+  thermoroll sweep --jobs 1 <scenes.csv | cut -d, -f1-12
+
+The first row of scenes.csv names the columns: long options of solve, without the dashes, in any
+order. An empty cell leaves its option out. The results have the same rows in the same order: the
+columns given, those of solve --format csv that are not among them, then status and error, which
+say what solve would have said of the row. Where a result has the name of a column that was given,
+it fills the cells that were left empty.)";
+
+constexpr const char* temperature_examples = R"(Examples:
+  thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
+  thermoroll temperature --friction 0.6 --traction 0.5 --peclet 100 --at 0,0.5,1 --depth 0.1
+  thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
+
+The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
+units) and error_estimate (of T*, absolute; empty for gauss-chebyshev).)";
+
+constexpr const char* figure_data_examples = R"(Examples:
+  thermoroll figure-data --list
+  thermoroll figure-data traction --output traction.csv
+  thermoroll figure-data --list --times times.json)";
+
+constexpr const char* claims_examples = R"(Examples:
+  thermoroll claims
+  thermoroll claims --format csv --output claims.csv)";
+
+constexpr const char* program_footer = R"(Examples:
+  thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
+  thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
+  thermoroll sweep <scenes.csv >results.csv
+  thermoroll solve --help
+
+Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not be written);
+2 refused (options, numbers or files that make no sense); 3 an iteration did not converge;
+4 a sweep is complete, but some of its rows have an error.)";
+
+void add_format(CLI::App& command, Options& o) {
+  command.add_option("--format", o.format, "format of the result, text unless given")
+      ->type_name("text|json|csv")
+      ->check(one_of({"text", "json", "csv"}));
+}
+
+void add_output(CLI::App& command, Options& o) {
+  command.add_option("--output", o.output, "write to this file, all or nothing")->type_name("FILE");
+  command.add_flag("--verbose", o.verbose, "tell the time taken on standard error");
+}
+
+void add_solve(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("solve", "Solve one case and print the result");
+  add_case_options(command, o.of_case);
+  add_format(command, o);
+  command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
+      ->type_name("FILE");
+  add_output(command, o);
+  command.footer(solve_examples);
+}
+
+void add_sweep(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("sweep", "Solve a table of cases, row by row");
+  command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number());
+  command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
+  command.footer(sweep_examples);
+}
+
+void add_temperature(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
+  add_case_options(command, o.of_case);
+  command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
+      ->type_name("POINTS")
+      ->required();
+  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
+      ->type_name("NUMBER")
+      ->check(finite_number());
+  add_output(command, o);
+  command.footer(temperature_examples);
+}
+
+void add_figure_data(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("figure-data", "Write the data of a figure or table of the report");
+  command.add_option("NAME", o.name, "which data")->type_name("");
+  command.add_flag("--list", o.list, "print the names that there are, in place of data");
+  command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
+      ->type_name("FILE");
+  add_output(command, o);
+  command.footer(figure_data_examples);
+}
+
+void add_claims(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("claims", "Print the paper's statements beside what was found");
+  add_format(command, o);
+  add_output(command, o);
+  command.footer(claims_examples);
+}
+
+}  // namespace
+
+std::vector<double> read_points(const std::string& text) {
+  const bool grid = text.find(':') != std::string::npos;
+  std::vector<double> parts;
+  for (const std::string& part : CLI::detail::split(text + (grid ? ':' : ','), grid ? ':' : ',')) {
+    if (!to_number(part)) refuse_points(text);
+    parts.push_back(*to_number(part));
+  }
+  if (!grid) return parts;
+  if (parts.size() != 3) refuse_points(text);
+  const double a = parts[0], b = parts[1], n = parts[2];
+  if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(text);
+  std::vector<double> points(static_cast<std::size_t>(n));
+  double i = 0;
+  for (double& s : points) s = ((n - 1 - i) * a + i * b) / (n - 1), ++i;
+  return points;
+}
+
+Command read_command(const std::vector<std::string>& arguments) {
+  Command c;
+  CLI::App program("Rolling contact of a cylinder with frictional heating", "thermoroll");
+  program.set_version_flag("--version", "thermoroll " THERMOROLL_VERSION, "print the version");
+  program.set_config("--config", "", "read a case from this file (TOML or INI)")->type_name("FILE");
+  program.config_formatter(std::make_shared<CaseFile>(program));
+  program.allow_config_extras(CLI::config_extras_mode::error);
+  program.require_subcommand(1)->fallthrough();
+  for (const auto add : {add_solve, add_sweep, add_temperature, add_figure_data, add_claims})
+    add(program, c.options);
+  program.footer(program_footer);
+  try {
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    c.subcommand = program.get_subcommands().front()->get_name();
+  } catch (const CLI::CallForHelp&) {
+    c.text = CLI::detail::find_and_replace(program.help(), "\n\n\n", "\n\n");
+  } catch (const CLI::CallForVersion& version) {
+    c.text = version.what() + std::string("\n");
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(reworded(error, program.remaining(true)));
+  }
+  return c;
+}
+
+void run(const Command& c) {
+  if (c.subcommand.empty()) return deliver({{c.text, ""}});
+  static const std::map<std::string, void (*)(const Options&)> runs{
+      {"solve", run_solve},
+      {"sweep", run_sweep},
+      {"temperature", run_temperature},
+      {"figure-data", run_figure_data},
+      {"claims", run_claims}};
+  const auto start = std::chrono::steady_clock::now();
+  runs.at(c.subcommand)(c.options);
+  if (c.options.verbose) {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    std::fprintf(stderr, "thermoroll: %.3g s\n", taken.count());
+  }
+}
+
+}  // namespace thermoroll

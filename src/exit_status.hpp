@@ -1,0 +1,21 @@
+// Tangled from paper/A-command-line.md, paper/F-sweeps-and-reliability.md; edit there.
+#pragma once
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+namespace thermoroll {
+
+/// A sweep is complete, but some of its rows have an error.
+struct RowsFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The exit status of @tbl:exit-codes that an error leads to.
+int status_of(const std::exception& error);
+
+/// The message with blanks in place of control characters.
+std::string in_one_line(std::string message);
+
+}  // namespace thermoroll

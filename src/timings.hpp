@@ -1,0 +1,26 @@
+// Tangled from paper/E-benchmarks.md; edit there.
+#pragma once
+
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace thermoroll {
+
+/// Seconds of processor time by the name of a benchmark.
+using Times = std::map<std::string, double>;
+
+/// Read what thermoroll-bench --benchmark_format=json has written; the median of the repetitions
+/// of each benchmark. Throws std::runtime_error for a file that is not such.
+Times read_times(const std::string& path);
+
+/// The names that write_timed_data knows.
+std::vector<std::string> timed_data_names();
+
+/// Write what the report says of times under that name: CSV with a header line, but JSON for
+/// "speed". Throws std::invalid_argument for an unknown name, std::runtime_error for a time that
+/// is missing.
+void write_timed_data(const std::string& name, const Times& times, std::ostream& out);
+
+}  // namespace thermoroll

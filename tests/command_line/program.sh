@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Read by the tests of the command line, in the project's folder: `program`, the scratch folder as
+# the current one, and functions that run the program and look at its answers.
+source tests/common.sh
+program=$(realpath "$2")
+unoptimised=$(realpath "${3:-$2}")
+chapters=$(realpath paper)
+cd "$work"
+
+# run ARGUMENT...: leaves the status in $status, the output in `out` and the messages in `err`.
+run() {
+  status=0
+  "$program" "$@" >out 2>err || status=$?
+}
+
+# answers ARGUMENT...: succeeds, and says nothing beside the answer, but for a note on the scheme.
+answers() {
+  run "$@"
+  [ $status -eq 0 ] || fail "$* gave status $status: $(cat err)"
+  case "$*" in
+  *gauss-chebyshev*) sed -i '/^thermoroll: note: /d' err ;;
+  esac
+  [ ! -s err ] || fail "$* said: $(cat err)"
+  [ -s out ] || fail "$* answered nothing"
+}
+
+one_line() { # one_line WORDS: exactly one line was said, with these words in it
+  [ "$(wc -l <err)" -eq 1 ] && grep -q '^thermoroll: .' err || fail "not one line: $(cat err)"
+  grep -qF -- "$1" err || fail "said: $(cat err); expected: $1"
+}
+
+# refuses STATUS WORDS ARGUMENT...: this status, one line with these words, no output.
+refuses() {
+  local expected=$1 words=$2
+  shift 2
+  run "$@"
+  [ $status -eq "$expected" ] || fail "$* gave status $status, not $expected: $(cat err)"
+  [ ! -s out ] || fail "$* wrote: $(cat out)"
+  one_line "$words"
+}
+
+# code LANGUAGE CHAPTER: the blocks of code in this language that stand in a chapter.
+code() {
+  awk -v start="^\`\`\` $1\$" '$0 ~ start { inside = 1; next } /^```$/ { inside = 0 } inside' "$chapters/$2"
+}
+
+# interrupt SIGNAL COMMAND...: runs the command and, after half a second, sends it the signal.
+interrupt() {
+  local signal=$1
+  shift
+  status=0
+  timeout --foreground --signal="$signal" --preserve-status 0.5 "$@" 2>err || status=$?
+}
+
+# As an unprivileged user, who may run but not write here.
+powerless() {
+  if [ "$(id -u)" != 0 ]; then "$@"; else setpriv --reuid 65534 --regid 65534 --clear-groups "$@"; fi
+}

@@ -1,0 +1,403 @@
+#!/usr/bin/env bash
+# sweep_test.sh CASE PROGRAM: what users of sweeps rely on. The cases are the functions below that
+# begin with a capital.
+source tests/command_line/program.sh
+
+# The chapter's table and as many copies of its rows as asked for.
+write_scenes() { # write_scenes [COPIES]
+  code csv F-sweeps-and-reliability.md >chapter.csv
+  grep -q '^friction,' chapter.csv || fail "the chapter has no table"
+  { head -1 chapter.csv; for _ in $(seq "${1:-1}"); do tail -n +2 chapter.csv; done; } >scenes.csv
+}
+
+# sweeps STATUS ARGUMENT...: solves scenes.csv to results.csv, with this status; all rows are whole.
+sweeps() {
+  local expected=$1
+  shift
+  status=0
+  "$program" sweep "$@" <scenes.csv >results.csv 2>err || status=$?
+  [ $status -eq "$expected" ] || fail "status $status: $(cat err)"
+  whole_rows <results.csv
+}
+
+# Every line ends, and has as many cells as the header; commas between quotes do not count.
+whole_rows() {
+  sed 's/"\([^"]\|""\)*"/quoted/g' | awk -F, 'NR == 1 { cells = NF } NF != cells { exit 1 }
+    END { exit NR == 0 }' || fail "rows are not whole"
+  [ -z "$(tail -c 1 results.csv)" ] || fail "the last line does not end"
+}
+
+# cell COLUMN ROW [FILE]: the first row is 1; the columns asked for stand before any quotes.
+cell() {
+  awk -F, -v name="$1" -v row="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i }
+    NR == row + 1 { print $column }' "${3:-results.csv}"
+}
+
+error_of() { LC_ALL=C sed -n "$(($1 + 1))s/.*,\([0-9]\),\(.*\)/\1 \2/p" results.csv | tr -d '"'; } # error_of ROW
+
+AnswersAsSolveDoes() {
+  write_scenes
+  sweeps 4
+  one_line "1 of 4 rows have an error"
+  [ "$(cut -d, -f1-5 results.csv)" = "$(cat scenes.csv)" ] || fail "other rows: $(cat results.csv)"
+  local row column columns
+  for row in 1 2 4; do
+    [ "$(error_of $row)" = "0 " ] || fail "row $row: $(error_of $row)"
+    local arguments=()
+    for column in friction traction peclet heating tolerance; do
+      [ -z "$(cell $column $row)" ] || arguments+=("--$column" "$(cell $column $row)")
+    done
+    answers solve "${arguments[@]}" --format csv
+    columns=$(head -1 out | tr ',' '\n')
+    [ "$(wc -l <<<"$columns")" -ge 30 ] || fail "the columns of solve: $columns"
+    for column in $columns; do
+      near_or_same "$(cell "$column" $row)" "$(cell "$column" 1 out)" ||
+        fail "row $row has the $column $(cell "$column" $row), not $(cell "$column" 1 out)"
+    done
+  done
+  [ "$(error_of 3)" = "2 traction = 0.7 is not allowed: it must be above 0 and below the friction, 0.6" ] ||
+    fail "row 3: $(error_of 3)"
+}
+# What was given stays as it was written, so that 1 may stand for 1.0.
+near_or_same() { [ "$1" = "$2" ] || awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && a + 0 == b + 0) }'; }
+
+# A creep and a traction that belong together: either gives the other, in its own column.
+GivenCellsStayAndEmptyOnesAreFilled() {
+  printf '%s\n' peclet,creep,traction,friction,method 100,,0.50,0.6,closed-form 100,0.2,,0.60,closed-form >scenes.csv
+  sweeps 0
+  [ "$(cut -d, -f1-5 results.csv | sed -n 1p)" = "$(sed -n 1p scenes.csv)" ] || fail "$(cat results.csv)"
+  grep -q '^100,0.2[0-9]*,0.50,0.6,closed-form,' results.csv || fail "$(cat results.csv)"
+  grep -q '^100,0.2,0.4[0-9]*,0.60,closed-form,' results.csv || fail "$(cat results.csv)"
+  [ "$(head -1 results.csv | tr , '\n' | sort | uniq -d)" = "" ] || fail "a column twice"
+}
+
+BadRowsGiveTheirError() {
+  printf '%s\n' friction,traction,peclet,heating,method,nodes,creep >scenes.csv
+  : >expected
+  bad() { # bad ROW STATUS WORDS
+    printf '%b\n' "$1" >>scenes.csv
+    printf '%s\n' "$2 $3" >>expected
+  }
+  bad '0.6,0.5,100,0,closed-form,,' 0 ""
+  bad '0.6,0.5,100,0,closed-form,' 2 "the row has 6 cells and the header 7"
+  bad '0.6,0.5,100,0,closed-form,,,' 2 "the row has 8 cells and the header 7"
+  bad ',,,,,,' 2 "--friction is required"
+  bad '0.6,,100,0,,,' 2 "exactly one of --traction, --creep and --stick-slip-border is needed"
+  bad '0.6,0.5,100,0,,,0.1' 2 "exactly one of --traction, --creep and --stick-slip-border is needed"
+  bad '0.6,0.5,nan,0,,,' 2 "peclet = nan is not allowed: it must be a finite number"
+  bad '0.6,0.5,"100",0,,,' 2 "peclet = 100 is not allowed: it must be a finite number"
+  bad '0.6,0.5,100\00001,0,,,' 2 "the row holds a null character"
+  bad '0.6,0.5,1\a0,0,,,' 2 "peclet = 1 0 is not allowed: it must be a finite number"
+  bad '0.6,0.5,\xff,0,,,' 2 $'peclet = \xff is not allowed: it must be a finite number'
+  bad '0.6,0.5,--help,0,,,' 2 "peclet = --help is not allowed: it must be a finite number"
+  bad '0.6,0.5,100,-1,,,' 2 "heating = -1 is not allowed: it must be zero or positive"
+  bad '0.6,0.5,100,0,best,,' 2 "method = best is not allowed: it must be coupled or closed-form or gauss-chebyshev"
+  bad '0.6,0.5,100,0,,2.5,' 2 "nodes = 2.5 is not allowed: it must be a whole number"
+  bad '0.6,,100,0,,,0.5' 1 "coupled: no solution found near the border"
+  bad '0.6,0.5,100,4,gauss-chebyshev,20,' 3 "the iteration did not converge; what is written is its last iterate"
+  bad '0.6,0.5,1e200,1e200,gauss-chebyshev,20,' 3 "no finite result"
+  sweeps 4
+  local row rows
+  rows=$(wc -l <expected)
+  one_line "$((rows - 1)) of $rows rows have an error: see their columns status and error"
+  [ "$(wc -l <results.csv)" -eq $((rows + 1)) ] || fail "$(wc -l <results.csv) rows"
+  for row in $(seq "$rows"); do
+    local said want
+    said=$(error_of "$row") want=$(sed -n "${row}p" expected)
+    [ "${said#"$want"}" != "$said" ] || [ "$said" = "$want" ] || fail "row $row: $said; expected: $want"
+  done
+  grep -q '^0.6,0.5,100,4,gauss-chebyshev,20,0.[0-9]*,.*,false,' results.csv || fail "no last iterate"
+}
+
+BadHeaders() {
+  bad() { # bad WORDS HEADER
+    status=0
+    printf '%b\n0.6,0.5,100\n' "$2" | "$program" sweep >out 2>err || status=$?
+    [ $status -eq 2 ] && [ ! -s out ] || fail "$2: status $status: $(cat out err)"
+    one_line "$1"
+  }
+  bad "the header names what is no option of solve: pecle" 'friction,traction,pecle'
+  bad "the header names what is no option of solve: friction;traction;peclet" 'friction;traction;peclet'
+  bad "the header names what is no option of solve: 0.6" '0.6,0.5,100'
+  bad "the header names what is no option of solve: \"friction\"" '"friction",traction,peclet'
+  bad "the header names what is no option of solve: --friction" '--friction,traction,peclet'
+  bad "the header names what is no option of solve: help" 'friction,traction,help'
+  bad "the header names what is no option of solve: output" 'friction,traction,output'
+  bad "the header names what is no option of solve: " 'friction,traction,'
+  bad "the header names traction twice" 'friction,traction,traction'
+  bad "the header lacks friction" 'traction,peclet'
+  status=0
+  "$program" sweep </dev/null >out 2>err || status=$?
+  [ $status -eq 2 ] && [ ! -s out ] || fail "an empty table: status $status: $(cat out err)"
+  one_line "the table is empty: it has no header"
+  echo friction >scenes.csv
+  sweeps 0
+  [ "$(wc -l <results.csv)" -eq 1 ] || fail "rows from nothing: $(cat results.csv)"
+  refuses 2 "jobs = 0 is not allowed: it must be from 1 to 1024" sweep --jobs 0
+  refuses 2 "jobs = two is not allowed: it must be a whole number" sweep --jobs two
+  refuses 2 "unexpected scenes.csv" sweep scenes.csv
+}
+
+# In SI units, with a half-width or a radius, and a dimensionless row among them.
+DataInSiUnits() {
+  cat >scenes.csv <<'END'
+friction,traction,load,speed,shear-modulus,poisson,expansion,diffusivity,conductivity,half-width,radius,peclet,method
+0.6,0.5,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,5.5e-3,,,
+0.6,0.5,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,,0.229,,
+0.6,0.5,,,,,,,,,,4360,closed-form
+0.6,0.5,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,,,,
+0.6,0.5,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,,-1,,
+END
+  sweeps 4
+  local base=(--friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3
+    --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50) column row
+  for row in 1 2; do
+    if [ $row = 1 ]; then answers solve "${base[@]}" --half-width 5.5e-3 --format csv
+    else answers solve "${base[@]}" --radius 0.229 --format csv; fi
+    for column in peclet heating creep physical.half_width physical.radius physical.max_temperature_celsius; do
+      [ "$(cell $column $row)" = "$(cell $column 1 out)" ] || fail "row $row, $column: $(cell $column $row)"
+    done
+  done
+  [ "$(cell physical.half_width 3)" = "" ] && [ "$(error_of 3)" = "0 " ] || fail "$(cat results.csv)"
+  [ "$(error_of 4)" = "2 data in SI units need either --half-width or --radius" ] || fail "$(error_of 4)"
+  [ "$(error_of 5)" = "2 radius = -1 is not allowed: it must be positive" ] || fail "$(error_of 5)"
+}
+
+# What a spreadsheet may do to a table makes no difference, nor does a missing end of the last line.
+ForgivesSpreadsheets() {
+  write_scenes
+  sweeps 4
+  cp results.csv expected
+  { printf '\xef\xbb\xbf'; sed 's/,/ ,\t/g; s/$/\r/' scenes.csv; printf '\r\n\n'; } >other
+  mv other scenes.csv
+  sweeps 4
+  cmp results.csv expected || fail "carriage returns, blanks and a byte-order mark make a difference"
+  write_scenes
+  printf '%s' "$(cat scenes.csv)" >other
+  mv other scenes.csv
+  sweeps 4
+  cmp results.csv expected || fail "the missing line end makes a difference"
+}
+
+# The header and each row are there before the next row is written.
+RowsComeAsTheyAreRead() {
+  coproc "$program" sweep 2>err
+  local line row
+  echo friction,traction,peclet,method >&"${COPROC[1]}"
+  read -r -t 20 line <&"${COPROC[0]}" || fail "no header came"
+  for row in 0.1 0.2 0.3; do
+    echo "0.6,$row,100,closed-form" >&"${COPROC[1]}"
+    read -r -t 20 line <&"${COPROC[0]}" || fail "no row came"
+    [ "${line#"0.6,$row,100,"}" != "$line" ] || fail "another row: $line"
+  done
+}
+
+SameBytesWithAnyNumberOfJobs() {
+  write_scenes 20
+  sweeps 4 --jobs 1
+  cp results.csv expected
+  local jobs
+  for jobs in 2 7; do
+    sweeps 4 --jobs $jobs
+    cmp results.csv expected || fail "$jobs jobs make a difference"
+  done
+  sweeps 4
+  cmp results.csv expected || fail "all processors make a difference"
+}
+
+# The same program without optimisation differs by less than the errors that both state, and in no
+# status. (With one compiler the bits are the same.)
+SameWithoutOptimisation() {
+  write_scenes
+  awk 'BEGIN { srand(1); for (i = 1; i <= 20; ++i)
+    printf "%.6g,%.6g,%.6g,%.6g,%g\n", 0.6, 0.6 * (0.02 + 0.96 * rand()), 10^(5 * rand()),
+      10^(-4 + 4 * rand()), 10^-(2 + i % 7) }' >>scenes.csv
+  sweeps 4
+  cp results.csv optimised
+  program=$unoptimised
+  sweeps 4
+  numbers() { # numbers FILE: a result a line: row, name, value, error; "-" where there is none
+    awk -F, 'function or_none(cell) { return cell == "" ? "-" : cell }
+      NR == 1 { for (i = 1; i <= NF; ++i) column[name[i] = $i] = i; next }
+      { print NR, "status", $column["status"], 0
+        for (i = 6; i <= NF; ++i) if (("error_estimate." name[i]) in column)
+          print NR, name[i], or_none($i), or_none($column["error_estimate." name[i]]) }' "$1"
+  }
+  paste -d' ' <(numbers optimised) <(numbers results.csv) >both
+  [ "$(grep -c stick_slip_border both)" -eq 24 ] || fail "$(head both)"
+  awk '{ apart = $3 - $7; if (apart < 0) apart = -apart }
+    NF != 8 || $1 != $5 || $2 != $6 || !(apart <= $4 + $8) || ($3 == "-") != ($7 == "-") { print; exit 1 }' both >out ||
+    fail "differs by more than the errors: $(cat out)"
+}
+
+# Twenty times the rows, which are mostly refusals and so soon done, take no more memory: certainly
+# less than a quarter of what they would take if they were kept, or their results.
+MemoryIsBounded() {
+  memory() { # memory COPIES: megabytes at most
+    write_scenes 1
+    { cat scenes.csv; yes 0.6,0.7,100,1, | head -"$1"; } >more
+    mv more scenes.csv
+    sweeps 4 --jobs 4 --verbose
+    sed -n 's/.* rows\/s, \([0-9]*\) MB$/\1/p' err
+  }
+  local few many kept
+  few=$(memory 5000) many=$(memory 100000)
+  kept=$(($(wc -c <scenes.csv) / 1048576))
+  [ $kept -ge 1 ] || kept=1
+  [ "$((4 * (many - few)))" -lt $(($(wc -c <results.csv) / 1048576)) ] ||
+    fail "$few MB for few, $many MB for many rows"
+}
+
+LongLines() {
+  { echo friction,traction,peclet,method; head -c 3000000 /dev/zero | tr '\0' 7; echo; echo 0.6,0.5,100,closed-form; } >scenes.csv
+  sweeps 4
+  [ "$(error_of 1)" = "2 the row has more than 10000 characters" ] || fail "$(error_of 1)"
+  [ "$(error_of 2)" = "0 " ] || fail "$(error_of 2)"
+}
+
+UnreadableInput() {
+  status=0
+  "$program" sweep <. >out 2>err || status=$?
+  [ $status -eq 1 ] && [ ! -s out ] || fail "a folder: status $status: $(cat out err)"
+  one_line "cannot read the table: Is a directory"
+  status=0
+  "$program" sweep <&- >out 2>err || status=$?
+  [ $status -eq 1 ] && [ ! -s out ] || fail "no input: status $status: $(cat out err)"
+  one_line "cannot read the table: Bad file descriptor"
+}
+
+# More threads than there is memory for: those that have started end as well.
+TooManyThreads() {
+  write_scenes
+  status=0
+  (ulimit -v 2000000 && "$program" sweep --jobs 1024 <scenes.csv >results.csv 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "Resource temporarily unavailable"
+}
+
+# The rows never end, but the sweep does when nobody reads them.
+ClosedPipe() {
+  write_scenes
+  set +o pipefail
+  { status=0; { cat scenes.csv; yes 0.6,0.7,100,1,; } | "$program" sweep 2>err || status=$?; echo $status >status; } | head -3 >out
+  [ "$(cat status)" = 1 ] || fail "status $(cat status): $(cat err)"
+  one_line "cannot write to standard output: Broken pipe"
+  [ "$(wc -l <out)" = 3 ] || fail "$(cat out)"
+}
+
+# On a full device, and in a file that may not grow further. The rows in the file are whole.
+FullDiskLeavesWholeRows() {
+  write_scenes 100
+  status=0
+  "$program" sweep <scenes.csv >/dev/full 2>err || status=$?
+  [ $status -eq 1 ] || fail "status $status on a full device"
+  one_line "cannot write to standard output: No space left on device"
+  status=0
+  (ulimit -f 20 && "$program" sweep <scenes.csv >results.csv 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write to standard output: File too large"
+  whole_rows <results.csv
+  [ "$(wc -c <results.csv)" -gt 10000 ] || fail "hardly anything in the file"
+}
+
+# Rows that never end, a signal after half a second: what is there is whole, and the program dies
+# of the signal. A reader that does not read cannot prevent that.
+InterruptedLeavesWholeRows() {
+  write_scenes
+  endless() { cat scenes.csv; yes 0.6,0.7,100,1,; }
+  died() { # died NUMBER NAME
+    [ $status -eq "$1" ] || fail "status $status, not $1: $(cat err)"
+    one_line "stopped by a signal: $2"
+  }
+  interrupt INT "$program" sweep < <(endless) >results.csv
+  died 130 Interrupt
+  whole_rows <results.csv
+  interrupt TERM "$program" sweep < <(endless) >results.csv
+  died 143 Terminated
+  whole_rows <results.csv
+  { interrupt HUP "$program" sweep < <(endless); echo $status >status; } | sleep 3
+  status=$(cat status)
+  died 129 Hangup
+}
+
+IgnoredSignalsStayIgnored() {
+  write_scenes
+  mkfifo rows
+  (trap '' HUP && exec "$program" sweep <rows >results.csv 2>err) &
+  local pid=$!
+  exec 3>rows
+  cat scenes.csv >&3
+  sleep 0.3
+  kill -HUP $pid
+  tail -n +2 scenes.csv >&3
+  exec 3>&-
+  status=0
+  wait $pid || status=$?
+  [ $status -eq 4 ] || fail "status $status: $(cat err)"
+  [ "$(wc -l <results.csv)" = 9 ] || fail "$(wc -l <results.csv) rows"
+}
+
+# Only there, and not among the rows.
+ProgressOnATerminal() {
+  write_scenes 50
+  script -qec "'$program' sweep <scenes.csv >results.csv" /dev/null </dev/null >terminal || true
+  grep -q 'thermoroll: 200 rows, 50 with an error, [0-9]* rows/s, [0-9]* MB' terminal || fail "$(cat terminal)"
+  [ "$(tr '\r' '\n' <terminal | grep -c 'rows/s')" -ge 2 ] || fail "nothing before the end: $(cat terminal)"
+  script -qec "'$program' sweep <scenes.csv" /dev/null </dev/null >terminal || true
+  [ "$(tr '\r' '\n' <terminal | grep -c 'rows/s')" -eq 1 ] || fail "more than the end: $(cat terminal)"
+  sweeps 4
+  one_line "50 of 200 rows have an error"
+}
+
+# --- GNU parallel ---------------------------------------------------------------------------------
+
+# The chapter's commands, as they stand there, with the blocks smaller and this machine in place of
+# others.
+prepare_parallel() {
+  local bin="$scratch/bin" # PARALLEL_SSH is cut at blanks
+  mkdir "$bin" home
+  ln -s "$program" "$bin/thermoroll"
+  cat >"$bin/other-machine" <<'END'
+#!/bin/sh
+# In place of ssh: HOST -- COMMAND...
+echo "$1" >>hosts
+shift 2
+exec sh -c "$*"
+END
+  chmod +x "$bin/other-machine"
+  export PATH="$bin:$PATH" HOME="$PWD/home" PARALLEL_SSH="$bin/other-machine"
+  write_scenes 40
+  sweeps 4
+  mv results.csv expected
+  code sh F-sweeps-and-reliability.md >commands
+}
+
+WorksWithParallel() {
+  prepare_parallel
+  sed -n '/^parallel --pipe/,/results.csv$/p' commands | sed 's/--block 1M/--block 1k/' >command
+  [ "$(wc -l <command)" = 2 ] || fail "the chapter has other commands: $(cat commands)"
+  bash command 2>err
+  cmp results.csv expected || fail "other results: $(cat err)"
+  [ "$(sort -u hosts | paste -sd' ')" = "far near" ] || fail "hosts: $(cat hosts)"
+}
+
+# Two of eight files lost from the log are done again, and only these.
+ResumesWithParallel() {
+  prepare_parallel
+  sed -n '/^split/,/results.csv$/p' commands | sed 's/10000/20/' >command
+  [ "$(wc -l <command)" = 3 ] || fail "the chapter has other commands: $(cat commands)"
+  bash command 2>err || fail "$(cat err)"
+  cmp results.csv expected || fail "other results"
+  [ "$(wc -l <sweep.log)" = 9 ] || fail "$(cat sweep.log)"
+  sed -i '/part-a[ad]/d' sweep.log
+  echo half >part-aa.csv.out
+  echo untouched >part-ab.csv.out
+  rm part-ad.csv.out
+  sed -n 2p command >again
+  bash again 2>err || true
+  [ "$(wc -l <sweep.log)" = 9 ] || fail "$(cat sweep.log)"
+  [ "$(cat part-ab.csv.out)" = untouched ] || fail "a file was done twice"
+  [ "$(wc -l <part-aa.csv.out) $(wc -l <part-ad.csv.out)" = "21 21" ] || fail "files were not done again"
+}
+
+"$1"

@@ -1,0 +1,331 @@
+#include "properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <typeinfo>
+#include <vector>
+
+#include <gsl/gsl_integration.h>
+#include <Eigen/Dense>
+
+#include "kernels.hpp"
+#include "numbers.hpp"
+#include "quadrature.hpp"
+
+using namespace thermoroll;
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+namespace soak {
+namespace {
+
+/// Numbers from a generator whose sequence the language fixes, unlike its distributions.
+class Random {
+ public:
+  Random(std::uint64_t seed, std::uint64_t number) {
+    std::seed_seq both{seed >> 32, seed & 0xffffffff, number >> 32, number & 0xffffffff};
+    generator_.seed(both);
+  }
+  double uniform(double from, double to) {
+    return from + (to - from) * static_cast<double>(generator_() >> 11) * 0x1p-53;
+  }
+  double log_uniform(double from, double to) {
+    return std::exp(uniform(std::log(from), std::log(to)));
+  }
+  bool one_of(int n) { return generator_() % static_cast<std::uint64_t>(n) == 0; }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+/// The words of a message without its numbers, which would make every refusal one of a kind.
+std::string words_of(std::string message) {
+  std::string words;
+  for (std::size_t i = 0; i < message.size(); ++i) {
+    const std::size_t digit = message[i] == '-' ? i + 1 : i;
+    const bool starts = i == 0 || message[i - 1] == ' ';
+    if (starts && digit < message.size() &&
+        std::isdigit(static_cast<unsigned char>(message[digit]))) {
+      words += '#';
+      i = std::min(message.find_first_of(" ,:", i), message.size()) - 1;
+    } else {
+      words += message[i];
+    }
+  }
+  return words;
+}
+
+CoupledSolution solve(const Sample& x, double q) {
+  return solve_coupled(x.scene, x.formulation, x.tolerance, {traction, q});
+}
+
+/// What is said of a solution must be numbers, keep the tolerance and fit together.
+void examine_results(const Record& record, const Sample& x, const CoupledSolution& found) {
+  const Values &v = found.value, &e = found.error;
+  record.require("all results are finite", v.allFinite() && e.allFinite());
+  record.require("errors are positive", (e >= 0).all());
+  for (const Quantity q : {border, traction, load_ratio, gamma0})
+    record.within("errors keep the tolerance", e(q), x.tolerance);
+  for (const Quantity q : {creep_constant, creep, heat, hottest})
+    record.within("errors keep the tolerance", e(q), x.tolerance * std::abs(v(q)) * (1 + 1e-12));
+  record.within("the traction is the one given", v(traction) - x.scene.traction,
+                std::max(e(traction), 1e-15));
+  record.require("the border is in the contact", std::abs(v(border)) < 1);
+  record.require("heat, temperature and load ratio are positive",
+                 v(heat) > 0 && v(hottest) > 0 && v(load_ratio) > 0);
+  // C = xi* + f gamma0; each is a sum of about a hundred terms of its own size or that of f kappa.
+  const double f = x.scene.friction;
+  record.within("the creep belongs to its constant", v(creep_constant) - v(creep) - f * v(gamma0),
+                1e-12 * f * (1 + std::abs(v(load_ratio)) + std::abs(v(gamma0))));
+  record.within("the eccentricity belongs to gamma0",
+                found.eccentricity - pi * v(gamma0) / (2 * v(load_ratio)),
+                1e-15 * std::abs(found.eccentricity) + 1e-300);
+  record.require("the work is bounded", found.unknowns <= 2000 && found.newton_steps <= 100);
+}
+
+bool same_bits(const Values& a, const Values& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(double) * quantities) == 0;
+}
+
+/// Once more gives the same bits; less traction leaves more stick.
+void examine_again(const Record& record, const Sample& x, const CoupledSolution& found) {
+  const CoupledSolution again = solve(x, x.scene.traction);
+  record.require("once more gives the same bits", same_bits(found.value, again.value) &&
+                                                      same_bits(found.error, again.error) &&
+                                                      found.h == again.h);
+  const double share = x.scene.traction / x.scene.friction;
+  const double less = x.scene.traction - 0.05 * x.scene.friction * std::min(share, 1 - share);
+  try {
+    const CoupledSolution other = solve(x, less);
+    record.require(
+        "less traction, more stick",
+        other.value(border) + other.error(border) + found.error(border) >= found.value(border));
+  } catch (const std::runtime_error& error) {
+    record.beside("a neighbour", words_of(error.what()));
+  }
+}
+
+/// Gauss-Legendre nodes and weights on (-1, 1).
+struct Rule {
+  explicit Rule(Index n) : x(n), w(n) {
+    const auto size = static_cast<std::size_t>(n);
+    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);
+    for (Index i = 0; i < n; ++i)
+      gsl_integration_glfixed_point(-1, 1, static_cast<std::size_t>(i), &x(i), &w(i), table);
+    gsl_integration_glfixed_table_free(table);
+  }
+  ArrayXd x, w;
+};
+
+/// The matrix that takes values at the nodes of a rule to those of their polynomial at points.
+Eigen::MatrixXd interpolation(const Rule& from, const ArrayXd& to) {
+  ArrayXd weights = ((1 - from.x.square()) * from.w).sqrt();  // barycentric
+  for (Index i = 1; i < weights.size(); i += 2) weights(i) *= -1;
+  Eigen::MatrixXd matrix(to.size(), weights.size());
+  for (Index i = 0; i < to.size(); ++i) {
+    const ArrayXd terms = weights / (to(i) - from.x);
+    matrix.row(i) = terms.isFinite().all() ? (terms / terms.sum()).eval()
+                                           : (to(i) == from.x).cast<double>().eval();
+  }
+  return matrix;
+}
+
+/// One zone of the contact on many more points than a profile has. With the angles of @eq:angles,
+/// the nodes of a profile are Gauss-Legendre nodes x in phi on the slip zone, and on the stick zone
+/// in the logarithm that stretches theta.
+struct Zone {
+  ArrayXd ds, s, from_border, from_end;  // weights, positions, distances from c0 and from -1 or 1
+  Eigen::MatrixXd values;                // from the nodes of the profile, s ascending
+};
+
+Zone slip_zone(double c0, Index n) {
+  const Rule nodes(n), fine(200 + 2 * n);
+  const ArrayXd half = pi / 4 * (1 + fine.x), sine = half.sin(), cosine = half.cos();
+  const double width = 1 - c0;
+  return {fine.w * pi / 2 * width * sine * cosine, c0 + width * sine.square(),
+          width * sine.square(), width * cosine.square(), interpolation(nodes, fine.x)};
+}
+
+Zone stick_zone(double c0, Index m) {
+  const Rule nodes(m), fine(200 + 2 * m);
+  const double width = 1 + c0, scale = 3 * std::sqrt((1 - c0) / width);
+  const double stretch = std::log1p(pi / scale);
+  const ArrayXd grown = (stretch / 2 * (1 + fine.x)).exp(), half = scale / 2 * (grown - 1);
+  const ArrayXd sine = half.sin(), cosine = half.cos();
+  return {fine.w * stretch / 2 * scale * grown * width * sine * cosine, c0 - width * sine.square(),
+          width * sine.square(), width * cosine.square(),
+          interpolation(nodes, fine.x).rowwise().reverse()};
+}
+
+/// The tractions of a profile on many points, from the smooth factors of their roots.
+struct Tractions {
+  Zone stick, slip;
+  ArrayXd pressure, pull, flux;  // on the stick zone, then on the slip zone; flux on the latter
+};
+
+Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Profile& y) {
+  const double c0 = found.value(border), f = x.scene.friction;
+  const Index n = found.unknowns, m = y.s.size() - n;
+  Tractions z{stick_zone(c0, m), slip_zone(c0, n), {}, {}, {}};
+  const ArrayXd s = y.s.head(m), t = y.s.tail(n), root = ((1 - s) * (1 + s)).sqrt();
+  const ArrayXd corrective =
+      (f * y.pressure.head(m) - y.traction.head(m)) / ((1 + s) * (c0 - s)).sqrt();
+  const Eigen::VectorXd on_stick = y.pressure.head(m) / root;
+  // t and 1 - t have lost digits at the nodes next to the ends, where the profile had them.
+  const ArrayXd half = pi / 4 * (1 + Rule(n).x), right = (1 - c0) * half.cos().square();
+  const Eigen::VectorXd on_slip = y.pressure.tail(n) / (right * (1 + t)).sqrt();
+  const Eigen::VectorXd h = y.heat_flux.tail(n) / (2 * half).sin();
+  const ArrayXd p_stick =
+      (z.stick.values * on_stick).array() * (z.stick.from_end * (2 - z.stick.from_end)).sqrt();
+  const ArrayXd p_slip =
+      (z.slip.values * on_slip).array() * (z.slip.from_end * (2 - z.slip.from_end)).sqrt();
+  z.pressure.resize(p_stick.size() + p_slip.size());
+  z.pressure << p_stick, p_slip;
+  z.pull = f * z.pressure;
+  z.pull.head(p_stick.size()) -= (z.stick.values * corrective.matrix()).array() *
+                                 (z.stick.from_end * z.stick.from_border).sqrt();
+  z.flux =
+      (z.slip.values * h).array() * 2 * (z.slip.from_border * z.slip.from_end).sqrt() / (1 - c0);
+  return z;
+}
+
+double integral(const Tractions& z, const ArrayXd& values) {
+  const Index m = z.stick.ds.size();
+  return (z.stick.ds * values.head(m)).sum() + (z.slip.ds * values.tail(z.slip.ds.size())).sum();
+}
+
+/// The tractions have their signs and carry the loads.
+void examine_profile(const Record& record, const Sample& x, const CoupledSolution& found,
+                     const Profile& y, const Tractions& z) {
+  record.require("profiles are finite", y.pressure.allFinite() && y.traction.allFinite() &&
+                                            y.slip.allFinite() && y.heat_flux.allFinite() &&
+                                            y.temperature.allFinite());
+  record.require("pressure and slip are positive",
+                 (y.pressure > 0).all() && (y.slip.tail(found.unknowns) > 0).all());
+  const Values &v = found.value, &e = found.error;
+  record.within("the pressure carries the load", integral(z, z.pressure) - 1, x.tolerance);
+  record.within("the traction carries the pull", integral(z, z.pull) - x.scene.traction,
+                x.tolerance);
+  // The heat is corrected to first order for the miss in the given traction, the flux is not; the
+  // miss is a few errors of the grid before.
+  record.within("the flux carries the heat", (z.slip.ds * z.flux).sum() - v(heat),
+                10 * x.tolerance * v(heat));
+  record.within("no point is hotter than the hottest",
+                std::max(0.0, y.temperature.maxCoeff() - v(hottest)), 10 * e(hottest));
+}
+
+/// The strain by heat at s, without its factor f Pe H / pi: the integral of N2 with the flux.
+double strain(const HeatFlux& flux, double peclet, double s) {
+  const double length = flux.to - flux.from, from = flux.from - s, to = flux.to - s;
+  std::vector<double> points{from, to};
+  if (from < 0 && to > 0) points.push_back(0);
+  for (const double width : {1 / peclet, std::abs(from), to})
+    for (double u = std::max(width, 1e-9 * length); u < 2; u *= 16)
+      for (const double at : {-u, u})
+        if (from < at && at < to) points.push_back(at);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto integrand = [&](double u) {
+    return u == 0 ? 0 : kernel::N2(peclet * u) * flux.density(u - from, to - u);
+  };
+  return integrate(integrand, points).value;
+}
+
+/// f int g = xi Q - (f Pe H / pi) int q int N2 g, as in Coupled.EnergyBalances, where the adaptive
+/// quadrature finds int N2 g.
+void examine_energy(const Record& record, const Sample& x, const CoupledSolution& found,
+                    const Profile& y, const Tractions& z) {
+  const auto [f, q, peclet, heating] = x.scene;
+  const HeatFlux flux = coupled_flux(found);
+  const Index n = found.unknowns, m = y.s.size() - n;
+  Eigen::VectorXd strains(m + n);
+  try {
+    for (Index i = 0; i < m + n; ++i) strains(i) = strain(flux, peclet, y.s(i));
+  } catch (const std::runtime_error& error) {
+    return record.beside("the energy", words_of(error.what()));
+  }
+  ArrayXd everywhere(z.pull.size());
+  everywhere << z.stick.values * strains.head(m), z.slip.values * strains.tail(n);
+  const Values &v = found.value, &e = found.error;
+  const double lost = f * peclet * heating / pi * integral(z, z.pull * everywhere);
+  const double allowed = f * e(heat) + q * e(creep) + std::abs(lost) * e(heat) / v(heat);
+  record.within("the energy balances", f * v(heat) - v(creep) * q + lost, 10 * allowed);
+}
+
+}  // namespace
+
+std::string text(const Sample& x) {
+  return "--friction " + shortest(x.scene.friction) + " --traction " + shortest(x.scene.traction) +
+         " --peclet " + shortest(x.scene.peclet) + " --heating " + shortest(x.scene.heating) +
+         " --tolerance " + shortest(x.tolerance) +
+         (x.formulation == Formulation::printed ? " --formulation printed" : "");
+}
+
+Sample sample(std::uint64_t seed, std::uint64_t number) {
+  Random random(seed, number);
+  const bool corner = number % 4 == 3;
+  const double f = corner ? random.log_uniform(1e-3, 2) : random.log_uniform(0.05, 1);
+  const double peclet = corner ? random.log_uniform(1e-3, 1e8) : random.log_uniform(1e-2, 1e6);
+  double heating = corner ? random.log_uniform(1e-6, 1e3) : random.log_uniform(1e-4, 3);
+  double share = random.uniform(0.01, 0.999);
+  if (corner && random.one_of(8)) heating = 0;
+  if (corner) share = random.log_uniform(1e-12, 0.5);
+  if (corner && random.one_of(2)) share = 1 - share;
+  const auto formulation = random.one_of(2) ? Formulation::printed : Formulation::corrected;
+  const double tolerance = random.one_of(2) ? 1e-6 : random.log_uniform(1e-8, 1e-2);
+  return {{f, share * f, peclet, heating}, formulation, tolerance};
+}
+
+Record::Record(std::uint64_t number, const Sample& x, Totals& totals)
+    : number_(number), scene_(text(x)), totals_(totals) {}
+
+void Record::require(const char* property, bool holds) const { within(property, holds ? 0 : 2, 1); }
+
+void Record::within(const char* property, double deviation, double allowed) const {
+  const double share = std::abs(deviation) / allowed;
+  if (Worst& worst = totals_.worst[property]; !(share <= worst.share)) worst = {share, number_};
+  if (!(share <= 1)) totals_.failures[property] = std::to_string(number_) + ": " + scene_;
+}
+
+void Record::outcome(const std::string& what) const { ++totals_.outcomes[what]; }
+
+void Record::beside(const std::string& what, const std::string& why) const {
+  ++totals_.beside[what + ": " + why];
+}
+
+void Totals::add(const Totals& other) {
+  for (const auto& [what, count] : other.outcomes) outcomes[what] += count;
+  for (const auto& [what, count] : other.beside) beside[what] += count;
+  for (const auto& [property, w] : other.worst)
+    if (Worst& mine = worst[property]; !(w.share <= mine.share)) mine = w;
+  failures.insert(other.failures.begin(), other.failures.end());
+}
+
+void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals) {
+  const Record record(number, x, totals);
+  try {
+    const CoupledSolution found = solve(x, x.scene.traction);
+    record.outcome("solved");
+    examine_results(record, x, found);
+    if (depth >= Depth::again) examine_again(record, x, found);
+    if (depth < Depth::profiles) return;
+    const Profile y = profile(x.scene, x.formulation, found);
+    const Tractions z = tractions_of(x, found, y);
+    examine_profile(record, x, found, y, z);
+    if (depth >= Depth::energy) examine_energy(record, x, found, y, z);
+  } catch (const std::exception& error) {
+    const std::string what = error.what();
+    record.outcome(words_of(what));
+    record.require("refusals are of the documented type and one line",
+                   (typeid(error) == typeid(std::runtime_error) ||
+                    typeid(error) == typeid(std::invalid_argument)) &&
+                       !what.empty() && what.find('\n') == std::string::npos);
+  }
+}
+
+}  // namespace soak

@@ -1,0 +1,73 @@
+// What must hold of the coupled solver in any scene, and random scenes to try it in.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "coupled.hpp"
+
+namespace soak {
+
+/// A scene and the accuracy to solve it with.
+struct Sample {
+  thermoroll::Scene scene;
+  thermoroll::Formulation formulation;
+  double tolerance;
+};
+
+/// One line that says which, with all digits, as options of `thermoroll solve`.
+std::string text(const Sample& x);
+
+/// The scene of this number in the sequence of a seed, the same on every machine. Three of four are
+/// log-uniform in Pe 1e-2...1e6, H 1e-4...3, f 0.05...1, uniform in Q*/f 0.01...0.999, at the
+/// tolerance 1e-6 or between 1e-8 and 1e-2; the fourth is from the corners: Pe 1e-3...1e8, H 0 or
+/// 1e-6...1e3, f 1e-3...2, and Q*/f down to 1e-12 from either end.
+Sample sample(std::uint64_t seed, std::uint64_t number);
+
+/// How far something may be from what it should be, and the scene in which it was so far.
+struct Worst {
+  double share = 0;  ///< of what is allowed
+  std::uint64_t number = 0;
+};
+
+/// What became of many scenes.
+struct Totals {
+  std::map<std::string, long> outcomes;         ///< solved, or the refusal without its numbers
+  std::map<std::string, long> beside;           ///< what could not be looked at besides, and why
+  std::map<std::string, Worst> worst;           ///< by property
+  std::map<std::string, std::string> failures;  ///< a property and one scene in which it fails
+  void add(const Totals& other);
+};
+
+/// The totals and the scene that is being looked at.
+class Record {
+ public:
+  Record(std::uint64_t number, const Sample& x, Totals& totals);
+  /// A property that holds or not.
+  void require(const char* property, bool holds) const;
+  /// A property that holds if the deviation is at most what is allowed; a NaN is not.
+  void within(const char* property, double deviation, double allowed) const;
+  /// What became of the scene.
+  void outcome(const std::string& what) const;
+  /// What could not be looked at, and why.
+  void beside(const std::string& what, const std::string& why) const;
+
+ private:
+  std::uint64_t number_;
+  std::string scene_;
+  Totals& totals_;
+};
+
+/// How much of what must hold is looked at.
+enum class Depth {
+  results,   ///< of one solve
+  again,     ///< also solved once more, and for a little less traction
+  profiles,  ///< also what the tractions carry
+  energy     ///< also the energy balance, by adaptive quadrature
+};
+
+/// Solve a scene, look at what must hold, and add to the totals. Throws nothing.
+void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals);
+
+}  // namespace soak

@@ -1,0 +1,71 @@
+// Random scenes, and what must hold in each of them; `make soak` tries a million.
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "properties.hpp"
+
+namespace {
+
+#ifdef NDEBUG
+constexpr std::uint64_t scenes = 2000;
+#else
+constexpr std::uint64_t scenes = 24;  // the sanitizers take their time
+#endif
+
+soak::Depth depth_of(std::uint64_t number) {
+  if (number % 50 == 0) return soak::Depth::energy;
+  return number % 2 == 0 ? soak::Depth::profiles : soak::Depth::results;
+}
+
+}  // namespace
+
+// Each failure names the scene, as options of `thermoroll solve`, and its number. Another seed is
+// taken from the environment.
+TEST(Property, HoldsInRandomScenes) {
+  const char* other = std::getenv("THERMOROLL_SEED");
+  const std::uint64_t seed = other != nullptr ? std::strtoull(other, nullptr, 10) : 1;
+  soak::Totals totals;
+  for (std::uint64_t number = 0; number < scenes; ++number)
+    soak::examine(number, soak::sample(seed, number), depth_of(number), totals);
+  for (const auto& [property, scene] : totals.failures)
+    ADD_FAILURE() << "not so: " << property << ", with seed " << seed << " in scene " << scene;
+  EXPECT_GT(totals.outcomes["solved"], static_cast<long>(scenes * 3 / 4));
+  EXPECT_GE(totals.worst.size(), 18) << "not every property was looked at";
+}
+
+// Other numbers are other scenes, in the ranges promised, and the same number is the same scene.
+TEST(Property, ScenesAreSpread) {
+  int corners = 0;
+  for (std::uint64_t number = 0; number < 4000; ++number) {
+    const soak::Sample x = soak::sample(7, number);
+    const auto [f, q, peclet, heating] = x.scene;
+    EXPECT_TRUE(0 < q && q < f && 1e-3 <= f && f <= 2 && 1e-3 <= peclet && peclet <= 1e8 &&
+                0 <= heating && heating <= 1e3 && 1e-8 <= x.tolerance && x.tolerance <= 1e-2)
+        << soak::text(x);
+    if (q / f < 1e-9 || 1 - q / f < 1e-9) ++corners;
+    EXPECT_EQ(soak::text(x), soak::text(soak::sample(7, number)));
+    EXPECT_NE(soak::text(x), soak::text(soak::sample(8, number)));
+    EXPECT_NE(soak::text(x), soak::text(soak::sample(7, number + 1)));
+  }
+  EXPECT_GT(corners, 100);
+}
+
+// What is beyond what is allowed, and a NaN, is a failure with its scene; the worst is kept, also
+// where totals are added.
+TEST(Property, FailuresAreFound) {
+  const soak::Sample x = soak::sample(1, 5);
+  soak::Totals totals, others;
+  soak::Record(5, x, totals).within("fine", -0.5, 1);
+  soak::Record(6, x, others).within("fine", 0.75, 1);
+  soak::Record(6, x, others).within("far", 1.01, 1);
+  soak::Record(7, x, others).within("none", std::nan(""), 1);
+  soak::Record(8, x, others).require("true", false);
+  totals.add(others);
+  EXPECT_EQ(totals.worst["fine"].share, 0.75);
+  EXPECT_EQ(totals.worst["fine"].number, 6);
+  EXPECT_EQ(totals.failures.size(), 3);
+  EXPECT_EQ(totals.failures["far"], "6: " + soak::text(x));
+  EXPECT_EQ(totals.failures.count("none") + totals.failures.count("true"), 2);
+}
