@@ -12,6 +12,7 @@ namespace thermoroll {
 /// The results of a coupled solution, in this order. Dimensionless.
 enum Quantity {
   border,          ///< c0
+  slip_length,     ///< 1 - c0, to its own digits
   traction,        ///< Q*
   creep_constant,  ///< C of @eq:stick-conditions
   creep,           ///< xi* = C - f gamma0
@@ -36,20 +37,20 @@ struct CoupledSolution {
   Values error;             ///< estimated absolute errors
   int unknowns = 0;         ///< n, values of h on the last grid
   int newton_steps = 0;     ///< on the last grid
-  Eigen::VectorXd h;        ///< heat flux over sin(phi): its n Legendre coefficients in phi
+  Eigen::VectorXd h;        ///< n Legendre coefficients in y of h, @eq:h
   double eccentricity = 0;  ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
 };
 
 /// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
 /// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
-/// border, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and hottest.
-/// Throws std::invalid_argument for data out of range, std::runtime_error where no solution with
-/// p >= 0 and v >= 0 is found or the tolerance is not met.
+/// border, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and hottest; that
+/// of hottest_at is the root of it. Throws std::invalid_argument for data out of range,
+/// std::runtime_error where no p >= 0 and v >= 0 is found or the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Given& given);
 
-/// The discrete problem h = sigma p-hat v-hat, p-hat = 2/pi + p h, v-hat = 2f/pi + v h, at the slip
-/// nodes s, where the heat flux is sin(phi) h. Dimensionless; p and v are proportional to H.
+/// The discrete problem h = sigma p-hat v-hat, p-hat = 2/pi + p h, v-hat = 2f/pi + v h, for the
+/// values h at the slip nodes s; sigma = 1 + s. Dimensionless; p, v, kappa are proportional to H.
 struct FluxMap {
   double friction;
   Eigen::VectorXd s, sigma;

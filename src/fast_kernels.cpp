@@ -29,50 +29,59 @@ double double_of(std::uint64_t bits) {
   return x;
 }
 
-using Kernel = double (*)(double);
-
 struct Table {
-  explicit Table(Kernel kernel);
-  double operator()(double x) const {
+  Table();
+  Kernels operator()(double x) const {
     const std::uint64_t bits = bits_of(x), cell = (bits >> shift) - first;
     if (cell >= cells) return exact(x);  // out of the table, or a NaN
     const std::uint64_t inside = bits & ((std::uint64_t{1} << shift) - 1);
     const double u = static_cast<double>(inside) * (2.0 / (std::uint64_t{1} << shift)) - 1;
-    const double* c = &coefficients[cell * (degree + 1)];
-    double sum = c[degree];
-    for (int i = degree - 1; i >= 0; --i) sum = sum * u + c[i];
-    return sum;
+    const double* c = &coefficients[(cell * (degree + 1) + degree) * 4];
+    Eigen::Array4d sum = Eigen::Map<const Eigen::Array4d>(c);
+    for (int i = 0; i < degree; ++i) sum = sum * u + Eigen::Map<const Eigen::Array4d>(c -= 4);
+    return {sum(0), sum(1), sum(2), sum(3)};
   }
-  Kernel exact;
+  static Kernels exact(double x) {
+    return {kernel::N1(x), kernel::N2(x), kernel::N2(-x), kernel::M(-x)};
+  }
   std::uint64_t first = bits_of(0x1p-44) >> shift, cells = (bits_of(0x1p+40) >> shift) - first;
-  std::vector<double> coefficients;
+  std::vector<double> coefficients;  // by cell, power and kernel
 };
 
-Table::Table(Kernel kernel) : exact(kernel) {
+Table::Table() {
   constexpr int n = degree + 1;
   const Eigen::ArrayXd u = (pi * (Eigen::ArrayXd::LinSpaced(n, 0, degree) + 0.5) / n).cos();
-  Eigen::MatrixXd powers(n, n);
+  Eigen::MatrixXd powers(n, n), values(n, 4);
   for (int i = 0; i < n; ++i) powers.col(i) = u.pow(i);
   const Eigen::MatrixXd to_powers = powers.inverse();
   for (std::uint64_t cell = first; cell < first + cells; ++cell) {
     const double low = double_of(cell << shift), high = double_of((cell + 1) << shift);
-    const Eigen::VectorXd values = ((low + high) / 2 + (high - low) / 2 * u).unaryExpr(exact);
-    const Eigen::VectorXd c = to_powers * values;
-    coefficients.insert(coefficients.end(), c.begin(), c.end());
+    for (int i = 0; i < n; ++i) {
+      const Kernels k = exact((low + high) / 2 + (high - low) / 2 * u(i));
+      values.row(i) << k.n1, k.n2_up, k.n2_down, k.m_down;
+    }
+    const Eigen::Matrix<double, n, 4, Eigen::RowMajor> c = to_powers * values;
+    coefficients.insert(coefficients.end(), c.data(), c.data() + c.size());
   }
+}
+
+const Table& table() {
+  static const Table made;
+  return made;
 }
 
 }  // namespace
 
+Kernels fast_kernels(double distance) { return table()(distance); }
+
 SlopeAndStrain fast_slope_and_strain(double zeta) {
-  static const Table slope(kernel::N1), up(kernel::N2);
-  static const Table down([](double x) { return kernel::N2(-x); });
-  return zeta > 0 ? SlopeAndStrain{slope(zeta), up(zeta)} : SlopeAndStrain{0, down(-zeta)};
+  const Kernels k = fast_kernels(std::abs(zeta));
+  return zeta > 0 ? SlopeAndStrain{k.n1, k.n2_up} : SlopeAndStrain{0, k.n2_down};
 }
 
 double fast_temperature(double zeta) {
-  static const Table scaled([](double x) { return kernel::M(-x); });  // e^x K_0(x)
-  return zeta > 0 ? scaled(zeta) * std::exp(-2 * zeta) : scaled(-zeta);
+  const double m = fast_kernels(std::abs(zeta)).m_down;  // e^x K_0(x)
+  return zeta > 0 ? m * std::exp(-2 * zeta) : m;
 }
 
 }  // namespace thermoroll

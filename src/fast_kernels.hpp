@@ -3,17 +3,26 @@
 
 namespace thermoroll {
 
+/// The kernels at one distance x = |zeta|: N1(x), N2(x), N2(-x) and M(-x). (N1(-x) is zero, and
+/// M(x) is M(-x) times exp(-2x).)
+struct Kernels {
+  double n1, n2_up, n2_down, m_down;
+};
+
+/// The functions of kernels.hpp from a table, distance > 0; relative error below 2e-13 (of the
+/// larger term where terms cancel).
+Kernels fast_kernels(double distance);
+
 /// The kernels N1 and N2 at one zeta.
 struct SlopeAndStrain {
   double n1, n2;
 };
 
-/// kernel::N1 and kernel::N2 from tables, zeta != 0; relative error below 1e-13 (of the larger
-/// term where terms cancel).
+/// kernel::N1 and kernel::N2 from the table, zeta != 0.
 SlopeAndStrain fast_slope_and_strain(double zeta);
 
-/// kernel::M at the surface from a table, zeta != 0; error below 1e-13 of kernel::M(-|zeta|), that
-/// is, of what the same source does downstream.
+/// kernel::M at the surface from the table, zeta != 0; error relative to kernel::M(-|zeta|), that
+/// is, to what the same source does downstream.
 double fast_temperature(double zeta);
 
 }  // namespace thermoroll

@@ -177,11 +177,11 @@ class Polynomial {
 };
 
 // A profile between its nodes. Pressure over sqrt(1 - s^2) and corrective traction over w are
-// smooth in the angles of @eq:angles, on the stick zone in the logarithm that stretches its angle.
+// smooth in the variables of @eq:angles, on the stick zone in the logarithm that stretches it.
 class Between {
  public:
   Between(const Scene& scene, const CoupledSolution& x, const Profile& profile)
-      : c0_(x.value(thermoroll::border)), fine_(3 * std::sqrt((1 - c0_) / (1 + c0_))) {
+      : c0_(x.value(thermoroll::border)), fine_(std::min(1.0L, std::sqrt((1 - c0_) / (1 + c0_)))) {
     for (Index i = 0; i < profile.s.size(); ++i) {
       const Real s = profile.s(i), p = profile.pressure(i);
       const bool slips = profile.s(i) > x.value(thermoroll::border);
@@ -205,12 +205,20 @@ class Between {
   }
 
  private:
-  // Legendre's variable for the distance from the border.
+  // The variable of @eq:angles for the distance from the border: y on the slip zone, the logarithm
+  // of q on the stick zone.
   Real place(Real from_border) const {
-    if (from_border > 0)
-      return 4 / reference::pi * std::asin(std::sqrt(std::min(1.0L, from_border / (1 - c0_)))) - 1;
-    const Real angle = 2 * std::asin(std::sqrt(std::min(1.0L, -from_border / (1 + c0_))));
-    return 2 * std::log1p(angle / fine_) / std::log1p(reference::pi / fine_) - 1;
+    if (from_border > 0) {
+      const Real u = cubic(std::min(1.0L, from_border / (1 - c0_))), root = std::sqrt(5.0L);
+      return root * std::sin(std::asin(22 * (u - 0.5L) / (5 * root)) / 3);
+    }
+    const Real q = cubic(std::min(1.0L, -from_border / (1 + c0_)));
+    return 2 * std::log1p(q / fine_) / std::log1p(1 / fine_) - 1;
+  }
+  // q with q^2 (3 - 2q) = share.
+  static Real cubic(Real share) {
+    const Real phi = 2 * std::asin(std::sqrt(share));
+    return 2 * std::cos((reference::pi - phi) / 6) * std::sin(phi / 6);
   }
   Real c0_, fine_;
   Polynomial on_slip_, on_stick_, correction_;
@@ -421,8 +429,7 @@ TEST(Coupled, FluxMapIsTheProblemThatIsSolved) {
       Eigen::VectorXd h(x.unknowns);
       for (Index i = 0; i < h.size(); ++i) {
         const double left = map.s(i) - c0, right = 1 - map.s(i);
-        h(i) =
-            flux.density(left, right) * (1 - c0) / (2 * std::sqrt(left * right));  // over sin phi
+        h(i) = flux.density(left, right) / std::sqrt(left * right);
       }
       const Eigen::ArrayXd p = (map.p * h).array() + 2 / thermoroll::pi;
       const Eigen::ArrayXd v = (map.v * h).array() + 2 * scene.friction / thermoroll::pi;

@@ -1,0 +1,250 @@
+// Tangled from paper/10-coupled-solver.md; edit there.
+#include "operators.hpp"
+
+#include <cmath>
+#include <map>
+
+#include <gsl/gsl_integration.h>
+
+#include "fast_kernels.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+/// P_0 ... P_{n-1} at x, a column each.
+MatrixXd legendre(const ArrayXd& x, Index n) {
+  MatrixXd p = MatrixXd::Ones(x.size(), n);
+  if (n > 1) p.col(1) = x;
+  for (Index l = 1; l + 1 < n; ++l) {
+    const double down = 1 - 1 / static_cast<double>(l + 1);  // l / (l + 1)
+    p.col(l + 1) = (1 + down) * x * p.col(l).array() - down * p.col(l - 1).array();
+  }
+  return p;
+}
+
+static Rule make_rule(int n) {
+  Rule rule{ArrayXd(n), ArrayXd(n), {}, {}, {}};
+  gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(n);
+  for (int i = 0; i < n; ++i)
+    gsl_integration_glfixed_point(-1, 1, i, &rule.x(i), &rule.w(i), table);
+  gsl_integration_glfixed_table_free(table);
+  rule.rho = (1 + rule.x) / 2, rule.cube = rule.rho.cube();
+  const MatrixXd all = legendre(rule.x, n + 1);
+  rule.p = all.leftCols(n);
+  const ArrayXd slope_of_p_n = n * (all.col(n - 1).array() - rule.x * all.col(n).array());
+  rule.w = 2 * (1 - rule.x.square()) / slope_of_p_n.square();
+  return rule;
+}
+
+const Rule& gauss_legendre(int n) {
+  thread_local std::map<int, Rule> known;
+  auto found = known.find(n);
+  if (found == known.end()) found = known.emplace(n, make_rule(n)).first;
+  return found->second;
+}
+
+MatrixXd to_legendre(const Rule& rule) {
+  const ArrayXd l = ArrayXd::LinSpaced(rule.x.size(), 0, static_cast<double>(rule.x.size() - 1));
+  return (l + 0.5).matrix().asDiagonal() * rule.p.transpose() * rule.w.matrix().asDiagonal();
+}
+
+Zones zones(const Border& border, const Rule& slip, const Rule& stick) {
+  const Index n = slip.x.size(), m = stick.x.size();
+  Zones z{border, slip.x, ArrayXd(n), {}, {}, {}, {}, VectorXd(n + m), VectorXd(n)};
+  for (Index i = 0; i < n; ++i) {
+    const Place at(1 + z.y(i), 1 - z.y(i));
+    const double du = at.du * slip.w(i), uv = at.u * at.v;
+    z.t(i) = at.t(), z.heat(i) = 6 * uv * uv * at.omega() * du;
+    z.over_root(i) = 6 * at.u / std::sqrt(1 + 2 * at.u) * du;
+  }
+  const double fine = std::min(1.0, std::sqrt(border.slip / border.stick));
+  const double k = std::log1p(1 / fine);
+  const ArrayXd grown = (k * stick.rho).exp(), q = fine * (grown - 1);
+  const ArrayXd dq = fine * k / 2 * grown * stick.w;
+  z.d = border.stick * q.square() * (3 - 2 * q);
+  z.over_w = 6 * dq / ((3 - 2 * q) * (1 + 2 * q)).sqrt();
+  z.over_root.tail(m) = dq * 6 * q / (1 + 2 * q).sqrt();
+  z.s = border.c0() + border.slip * z.t, z.r = border.c0() - z.d;
+  z.over_root.head(n).array() *= (border.slip / (border.stick + border.slip * z.t)).sqrt();
+  z.over_root.tail(m).array() *= (border.stick / (border.slip + z.d)).sqrt();
+  return z;
+}
+
+namespace {
+
+template <int columns>
+using RayArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
+using RayArray = RayArrays<1>;
+using RayWeights = RayArrays<5>;
+using Sums = Eigen::Matrix<double, 5, Eigen::Dynamic>;
+
+struct Ray {
+  RayArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
+  void resize(Index n) {
+    for (RayArray* x : {&y, &zeta, &heat, &by_h, &by_dh}) x->resize(n);
+  }
+};
+
+/// Quadrature nodes from the target at y0 to y = 1; left = 1 + y0 and right = 1 - y0. The gap, in
+/// lengths of the slip zone, is that of a target in the stick zone, with left = 0.
+void cast(Ray& ray, double peclet, double gap, double left, double right, const Rule& rule) {
+  const Place from(left, right);
+  const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27);
+  const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
+  const double k = std::log1p(right / delta);
+  ray.resize(rule.x.size());
+  for (Index i = 0; i < rule.x.size(); ++i) {
+    const double power = k * rule.cube(i), grown = std::exp(power);
+    const double step = delta * (power < 0.1 ? std::expm1(power) : grown - 1);
+    const double dy = 1.5 * rule.w(i) * rule.rho(i) * rule.rho(i) * k * delta * grown;
+    const Place at(left + step, right - step);
+    ray.y(i) = at.y;
+    ray.zeta(i) = peclet * (apart(from, at, step) + gap);
+    const double omega = at.omega(), uv = at.u * at.v;
+    const double middle = at.v * at.v * (1 + 2 * at.u) - at.u * at.u * (1 + 2 * at.v);  // 1 - 2t
+    ray.heat(i) = 6 * uv * uv * omega * at.du * dy;
+    ray.by_h(i) = 3 * middle / omega * at.du * dy;
+    ray.by_dh(i) = uv * omega * dy;
+  }
+}
+
+/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored ray.
+void weigh(const Ray& ray, RayWeights& weights) {
+  weights.resize(ray.y.size(), 5);
+  for (Index i = 0; i < ray.y.size(); ++i) {
+    const Kernels k = fast_kernels(ray.zeta(i));
+    weights.row(i) << k.n1 * ray.heat(i), k.n1 * ray.by_h(i), k.n1 * ray.by_dh(i),
+        k.n2_up * ray.heat(i), k.n2_down * ray.heat(i);
+  }
+}
+
+/// Column l of sums receives the sums over a ray of its five weights times P_l(y), for all columns.
+void legendre_sums(const RayArray& y, const RayWeights& weights, Sums& sums) {
+  const Index count = y.size();
+  RayArray now = RayArray::Ones(count), next = y;
+  const double *w0 = &weights(0, 0), *w1 = &weights(0, 1), *w2 = &weights(0, 2),
+               *w3 = &weights(0, 3), *w4 = &weights(0, 4);
+  for (Index l = 0; l < sums.cols(); ++l) {
+    const double down = 1 - 1 / static_cast<double>(l + 2);  // (l + 1) / (l + 2)
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0;
+#pragma omp simd reduction(+ : s0, s1, s2, s3, s4)
+    for (Index i = 0; i < count; ++i) {
+      const double p = now[i];
+      s0 += w0[i] * p, s1 += w1[i] * p, s2 += w2[i] * p, s3 += w3[i] * p, s4 += w4[i] * p;
+      now[i] = next[i];
+      next[i] = (1 + down) * y[i] * next[i] - down * p;
+    }
+    sums.col(l) << s0, s1, s2, s3, s4;
+  }
+}
+
+RowVectorXd by_derivatives(const RowVectorXd& sums) {
+  RowVectorXd x = RowVectorXd::Zero(sums.size());
+  for (Index l = 1; l < x.size(); ++l)
+    x(l) = (l > 1 ? x(l - 2) : 0) + static_cast<double>(2 * l - 1) * sums(l - 1);
+  return x;
+}
+
+RowVectorXd mirrored(RowVectorXd sums) {
+  for (Index l = 1; l < sums.size(); l += 2) sums(l) = -sums(l);
+  return sums;
+}
+
+}  // namespace
+
+ArrayXd slope_at_nodes(const Rule& rule, const ArrayXd& values) {
+  const VectorXd coefficients = to_legendre(rule) * values.matrix();
+  ArrayXd slopes(values.size());
+  for (Index i = 0; i < slopes.size(); ++i)
+    slopes(i) = by_derivatives(rule.p.row(i)).dot(coefficients);
+  return slopes;
+}
+
+ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
+                           const Rule& rule) {
+  const Index n = z.y.size(), m = z.d.size();
+  const double slip = z.border.slip, peclet = scene.peclet * slip;
+  const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
+  MatrixXd slope(n + m, n), dslope(n, n), strain = MatrixXd::Zero(n + m, n);
+  Ray ray;
+  RayWeights weights;
+  Sums sums(5, n);
+  for (Index i = 0; i < n; ++i) {
+    cast(ray, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
+    weigh(ray, weights);
+    legendre_sums(ray.y, weights, sums);
+    slope.row(i) = sums.row(0), dslope.row(i) = sums.row(1) + by_derivatives(sums.row(2));
+    strain.row(i) += sums.row(3), strain.row(n - 1 - i) += mirrored(sums.row(4));
+  }
+  const ArrayXd gap = z.d / slip;
+  cast(ray, peclet, gap.minCoeff(), 0, 2, rule);
+  MatrixXd n1(ray.y.size(), m), n2 = n1;
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < ray.y.size(); ++i) {
+      const Kernels k = fast_kernels(ray.zeta(i) + peclet * (gap(j) - gap.minCoeff()));
+      n1(i, j) = k.n1, n2(i, j) = k.n2_up;
+    }
+  const MatrixXd heat = ray.heat.matrix().asDiagonal() * legendre(ray.y, n);
+  slope.bottomRows(m) = n1.transpose() * heat, strain.bottomRows(m) = n2.transpose() * heat;
+  const double strength = scene.friction * scene.peclet * scene.heating * slip;
+  return {-sign * strength * slip * slope, -sign * strength * dslope,
+          strength * slip * (strain / pi + in_n * slope)};
+}
+
+Inverses invert(const Zones& z, const ThermalSides& sides, double friction) {
+  const Index n = z.y.size(), m = z.d.size();
+  VectorXd position(n + m);
+  position << z.s, z.r;
+  Inverses x;
+  x.gamma0 = z.over_root.transpose() * sides.f / pi;
+  x.kappa = z.over_root.cwiseProduct(position).transpose() * sides.f;
+  MatrixXd in_p(n, n + m), in_v(n, m);
+  for (Index i = 0; i < n; ++i) {
+    const Place at(1 + z.y(i), 1 - z.y(i));
+    for (Index j = 0; j < n; ++j) {
+      const Place to(1 + z.y(j), 1 - z.y(j));
+      in_p(i, j) = j == i ? 0 : z.over_root(j) / (z.border.slip * apart(at, to, to.y - at.y));
+    }
+    const ArrayXd away = z.border.slip * z.t(i) + z.d;  // s - r
+    in_p.row(i).tail(m) = -z.over_root.tail(m).array() / away;
+    in_v.row(i) = z.over_w / away;
+  }
+  x.p = in_p.rowwise().sum().asDiagonal() * sides.f.topRows(n) - in_p * sides.f;
+  x.p -= z.over_root.head(n).asDiagonal() * sides.df;
+  x.v = in_v * sides.g.bottomRows(m) - in_v.rowwise().sum().asDiagonal() * sides.g.topRows(n);
+  x.p = (x.p.rowwise() + 2 * x.kappa) / pi, x.v = (x.v.rowwise() + 2 * friction * x.kappa) / pi;
+  return x;
+}
+
+Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double right, double gap,
+              const Rule& rule) {
+  Warmth sum{0, 0};
+  Ray ray;
+  for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
+    if (side < 0 && left == 0) continue;
+    cast(ray, peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
+    RayArray value = RayArray::Zero(ray.y.size()), slope = value, now = value + 1, before = value;
+    RayArray dnow = value, dbefore = value;
+    for (Index l = 0; l < h.size(); ++l) {
+      const double part = side < 0 && l % 2 == 1 ? -h(l) : h(l);
+      const double up = 2 - 1 / static_cast<double>(l + 1);  // (2l + 1) / (l + 1)
+      value += part * now, slope += part * dnow;
+      const RayArray next = up * ray.y * now - (up - 1) * before;  // P_{l+1}
+      dbefore += static_cast<double>(2 * l + 1) * now;             // P'_{l+1}
+      before = now, now = next, dnow.swap(dbefore);
+    }
+    for (Index i = 0; i < ray.y.size(); ++i) {
+      const double m = fast_temperature(side * ray.zeta(i));
+      sum.value += m * ray.heat(i) * value(i);
+      sum.slope += side * m * (ray.by_h(i) * value(i) + ray.by_dh(i) * slope(i));
+    }
+  }
+  return {slip * slip / pi * sum.value, slip / pi * sum.slope};
+}
+
+}  // namespace thermoroll

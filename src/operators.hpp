@@ -1,0 +1,115 @@
+// Tangled from paper/10-coupled-solver.md; edit there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "kernels.hpp"
+#include "scene.hpp"
+
+/// The integral operators of the coupled problem on a grid, for the solvers.
+namespace thermoroll {
+
+constexpr int most_unknowns = 400;
+
+/// Gauss-Legendre nodes x and weights w on (-1, 1), and the values p of P_0 ... P_{n-1} at them;
+/// for rays, rho = (1 + x) / 2 and its cube.
+struct Rule {
+  Eigen::ArrayXd x, w, rho, cube;
+  Eigen::MatrixXd p;
+};
+
+/// The rule of n nodes; made once per thread.
+const Rule& gauss_legendre(int n);
+
+/// P_0 ... P_{n-1} at x, a column each.
+Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
+
+/// From values at the nodes to Legendre coefficients.
+Eigen::MatrixXd to_legendre(const Rule& rule);
+
+/// Slopes, at the nodes, of the polynomial with these values there.
+Eigen::ArrayXd slope_at_nodes(const Rule& rule, const Eigen::ArrayXd& values);
+
+/// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures.
+struct Grid {
+  explicit Grid(int n)
+      : slip(gauss_legendre(n)),
+        stick(gauss_legendre(std::max(8, 3 * n / 4))),
+        ray(gauss_legendre(16 + n / 3)),
+        fine(gauss_legendre(24 + n)) {}
+  const Rule &slip, &stick, &ray, &fine;
+};
+
+/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2.
+struct Border {
+  double slip, stick;
+  double c0() const { return (stick - slip) / 2; }
+};
+
+/// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].
+inline double rise(double eta) { return eta * (3 + (12 - 4 * eta) * eta) / 22; }
+
+/// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
+struct Place {
+  Place(double left, double right)
+      : y((left - right) / 2), u(rise(left)), v(rise(right)), du((3 + 12 * left * right) / 22) {}
+  double y, u, v, du;  // du: the derivative of u by y
+  double t() const { return u * u * (1 + 2 * v); }
+  double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
+};
+
+/// t(b) - t(a) for b.y - a.y = step, without subtracting what is nearly equal.
+inline double apart(const Place& a, const Place& b, double step) {
+  const double du = step * (15 - 4 * (a.y * a.y + a.y * b.y + b.y * b.y)) / 22;
+  const bool left = a.u + b.u < 1;
+  const double x = left ? a.u : a.v, z = left ? b.u : b.v;
+  return du * (3 * (x + z) - 2 * (x * x + x * z + z * z));
+}
+
+/// The nodes of both zones.
+struct Zones {
+  Border border;
+  Eigen::ArrayXd y, t, s;     // slip zone
+  Eigen::ArrayXd d, r;        // stick zone: distances from the border and positions
+  Eigen::ArrayXd over_w;      // weights of dr / w at the stick nodes
+  Eigen::VectorXd over_root;  // weights of dt / sqrt(1 - t^2) at all nodes, the slip nodes first
+  Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
+};
+
+/// The nodes of both zones for a border.
+Zones zones(const Border& border, const Rule& slip, const Rule& stick);
+
+/// F, dF/ds and G of @eq:thermal-sides at the slip nodes, then (but for dF/ds) the stick nodes, as
+/// matrices on the Legendre coefficients of h.
+struct ThermalSides {
+  Eigen::MatrixXd f, df, g;
+};
+
+/// These matrices on a grid; the traction of the scene is not used.
+ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
+                           const Rule& rule);
+
+/// At the slip nodes p-hat = 2/pi + p h and v-hat = 2f/pi + v h; kappa = 1 + kappa h and
+/// gamma0 = gamma0 h.
+struct Inverses {
+  Eigen::MatrixXd p, v;
+  Eigen::RowVectorXd kappa, gamma0;
+};
+
+/// These matrices on a grid.
+Inverses invert(const Zones& z, const ThermalSides& sides, double friction);
+
+/// T* and dT*/ds.
+struct Warmth {
+  double value, slope;
+};
+
+/// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
+/// or, with left = 0, across a gap (in lengths of the slip zone).
+Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left, double right,
+              double gap, const Rule& rule);
+
+}  // namespace thermoroll
