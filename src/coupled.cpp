@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,13 +73,44 @@ double climb(const Slope& slope, double y) {
   return y;
 }
 
+/// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
+/// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
+Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
+                double friction, const VectorXd& h) {
+  const Index n = z.y.size(), m = z.d.size();
+  const double kappa = 1 + x.kappa.dot(h);
+  const ArrayXd f = sides.f * h, g = sides.g.bottomRows(m) * h;
+  const ArrayXd dx_dr = -grid.stick.w / (z.over_w * (z.d * (z.border.stick - z.d)).sqrt());
+  const ArrayXd df = dx_dr * slope_at_nodes(grid.stick, f.tail(m));
+  const ArrayXd dg = dx_dr * slope_at_nodes(grid.stick, g);
+  ArrayXd from_border(m + n), pressure(m + n), slip(m + n), s(m + n);
+  from_border << -z.d, z.border.slip * z.t;
+  const ArrayXd over_root = z.over_root.array();
+  ArrayXd p = 2 * kappa - over_root.tail(m) * df, v = 2 * friction * kappa - z.over_w * dg;
+  for (Index i = 0; i < m; ++i) {
+    for (Index j = 0; j < n; ++j)
+      p(i) -= over_root(j) * (f(j) - f(n + i)) / (z.border.slip * z.t(j) + z.d(i));
+    for (Index j = 0; j < m; ++j) {
+      if (j == i) continue;
+      const double apart = z.d(i) - z.d(j);
+      p(i) -= over_root(n + j) * (f(n + j) - f(n + i)) / apart;
+      v(i) -= z.over_w(j) * (g(j) - g(i)) / apart;
+    }
+  }
+  p /= pi, v /= pi;
+  pressure << p.reverse(), 2 / pi + (x.p * h).array();
+  slip << v.reverse(), 2 * friction / pi + (x.v * h).array();
+  s << z.r.reverse(), z.s;
+  return {friction, z.border.c0(), kappa, s, pressure, slip};
+}
+
 struct Level {
   Border at;
   Values value;
-  VectorXd h;            // Legendre coefficients; none before the first grid
-  double summit = 0.5;   // y of the hottest point
-  int newton_steps = 0;  // 0 where Newton failed
-  double least = 0;      // of p-hat and v-hat: negative where the contact opens or slips backwards
+  VectorXd h;                         // Legendre coefficients; none before the first grid
+  double summit = 0.5;                // y of the hottest point
+  int newton_steps = 0;               // 0 where Newton failed
+  std::vector<Violation> violations;  // where it is no contact
 };
 
 Level solve_level(const Scene& scene, Formulation formulation, int n, const Border& at,
@@ -96,7 +126,6 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   if (from.newton_steps > 0) level.h.setZero(), level.h.head(from.h.size()) = from.h;
   level.newton_steps = solve_flux(x, grid.slip, sigma, f, carter, level.h);
   const VectorXd& h = level.h;
-  level.least = std::min((x.p * h).minCoeff() + 2 / pi, (x.v * h).minCoeff() + 2 * f / pi);
   const double a0 = at.stick / 2, kappa = 1 + x.kappa.dot(h);
   const ArrayXd g = (sides.g.bottomRows(z.d.size()) * h).array() * z.over_w;
   const double constant = g.sum() / pi + f * kappa / pi * at.slip;
@@ -109,6 +138,7 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
       constant - f * x.gamma0.dot(h), kappa, x.gamma0.dot(h),
       at.slip * at.slip * z.heat.dot(grid.slip.p * h), surface(level.summit).value,
       at.c0() + at.slip * top.t();
+  level.violations = violations(factors(grid, z, sides, x, f, h));
   return level;
 }
 
@@ -154,8 +184,8 @@ Level find_border(const Scene& scene, Formulation formulation, const Given& give
     const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
     double step = slope(border) * (given.value - level.value(given.quantity));
     if (k > 0 && std::abs(step) <= near) return level;
-    if (std::abs(step) < near) step = near;  // a second border, for the derivative
-    if (room < 1e-13) break;                 // it runs out of the contact
+    if (std::abs(step) < near) step = near;             // a second border, for the derivative
+    if (!(room > 1e-13 && std::isfinite(step))) break;  // it runs out of the contact
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
   throw std::runtime_error("coupled: no solution found near the border " + shortest(at.c0()));
@@ -191,24 +221,10 @@ double distance_of_share(double t) {
   return eta - (rise(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));
 }
 
-/// sum_j weight_j (y_j - y_i) / (t_j - t_i) for every i, t by its distances from the border; slope
-/// stands in at j = i.
-ArrayXd divided_sums(const ArrayXd& t, const ArrayXd& y, const ArrayXd& slope,
-                     const ArrayXd& weight) {
-  ArrayXd sums = weight * slope;
-  for (Index i = 0; i < t.size(); ++i)
-    for (Index j = 0; j < t.size(); ++j)
-      if (j != i) sums(i) += weight(j) * (y(j) - y(i)) / (t(j) - t(i));
-  return sums;
-}
-
-/// The same profile with ascending s: stick nodes turned round, then slip nodes.
-Profile in_order(const Profile& x) {
-  std::vector<Index> order(static_cast<std::size_t>(x.s.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return x.s(i) < x.s(j); });
-  return {x.s(order),    x.pressure(order),  x.traction(order),
-          x.slip(order), x.heat_flux(order), x.temperature(order)};
+bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.what == y.what && std::abs(x.from - y.from) + std::abs(x.to - y.to) < 0.1;
+  });
 }
 
 }  // namespace
@@ -246,19 +262,21 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     const Level last = level;
     const double step = slope(border) * (given.value - last.value(given.quantity));
     level = solve_level(scene, formulation, n, moved_by(last.at, step), last);
-    if (level.newton_steps == 0) continue;
+    if (level.newton_steps == 0) {
+      level = last;
+      continue;
+    }
     const Values before = value, scale = scale_of(level.value);
     value = corrected();
     change = ((value - before).abs() / scale).max(0.02 * change);
     const double error = estimate(change, tail(level.h), tail(last.h), n);
-    x = {value, error * scale, n, level.newton_steps, level.h, 0};
+    x = {value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
     x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
     x.error(hottest_at) = std::sqrt(error);  // the maximum is flat
-    if (error <= tolerance && level.least >= 0) return x;
+    if (error <= tolerance && same_places(level.violations, last.violations)) return x;
   }
-  if (level.newton_steps == 0 || level.least < 0)
-    throw std::runtime_error("coupled: no solution with p >= 0 and v >= 0 found at the border " +
-                             shortest(level.at.c0()));
+  const std::string near = " near the border " + shortest(level.at.c0());
+  if (x.unknowns == 0) throw std::runtime_error("coupled: no solution found" + near);
   throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
                            std::to_string(x.unknowns) + " unknowns");
 }
@@ -272,35 +290,27 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
 }
 
 Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x) {
-  const double kappa = x.value(load_ratio);
   const Grid grid(x.unknowns);
-  const Border at{x.value(slip_length), 1 + x.value(border)};
-  const Zones z = zones(at, grid.slip, grid.stick);
+  const double slip = x.value(slip_length);
+  const Zones z = zones({slip, 1 + x.value(border)}, grid.slip, grid.stick);
   const ThermalSides sides = thermal_sides(scene, formulation, z, grid.ray);
+  const Inverses inverses = invert(z, sides, scene.friction);
+  const Factors at = factors(grid, z, sides, inverses, scene.friction, x.h);
   const Index n = z.y.size(), m = z.d.size();
-  const ArrayXd f = sides.f * x.h, g = (sides.g * x.h).tail(m);
-  const ArrayXd dx_dr = -grid.stick.w / (z.over_w * (z.d * (at.stick - z.d)).sqrt());
-  ArrayXd from_border(n + m), df(n + m), dg = dx_dr * slope_at_nodes(grid.stick, g);
-  from_border << at.slip * z.t, -z.d;
-  df << sides.df * x.h, dx_dr * slope_at_nodes(grid.stick, f.tail(m));
-  const ArrayXd p_hat = 2 / pi * kappa - divided_sums(from_border, f, df, z.over_root) / pi;
-  const ArrayXd q_hat = 2 * scene.friction / pi * kappa - divided_sums(-z.d, g, dg, z.over_w) / pi;
-  ArrayXd s(n + m), right(n + m);
-  s << z.s, z.r;
-  right << at.slip * (1 - z.t), at.slip + z.d;  // 1 - s, with its digits
-  Profile profile{s, (right * (1 + s)).sqrt() * p_hat, {}, {}, {}, s};
+  ArrayXd right(m + n);  // 1 - s, with its digits
+  right << slip + z.d.reverse(), slip * (1 - z.t);
+  Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, at.s};
   profile.traction = scene.friction * profile.pressure;
-  profile.traction.tail(m) -= ((at.stick - z.d) * z.d).sqrt() * q_hat;
-  profile.heat_flux = profile.slip = ArrayXd::Zero(n + m);
-  profile.heat_flux.head(n) = at.slip * (z.t * (1 - z.t)).sqrt() * (grid.slip.p * x.h).array();
-  profile.slip.head(n) = profile.heat_flux.head(n) / profile.pressure.head(n);
-  for (Index i = 0; i < n + m; ++i) {
-    const bool slips = i < n;
-    const double left = slips ? 1 + z.y(i) : 0, gap = slips ? 0 : z.d(i - n) / at.slip;
-    profile.temperature(i) =
-        warmth(at.slip, scene.peclet, x.h, left, 2 - left, gap, grid.fine).value;
+  profile.traction.head(m) -= ((2 - right.head(m)) * z.d.reverse()).sqrt() * at.slip.head(m);
+  profile.heat_flux = profile.slip = ArrayXd::Zero(m + n);
+  profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.slip.p * x.h).array();
+  profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
+  for (Index i = 0; i < m + n; ++i) {
+    const bool slips = i >= m;
+    const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
+    profile.temperature(i) = warmth(slip, scene.peclet, x.h, left, 2 - left, gap, grid.fine).value;
   }
-  return in_order(profile);
+  return profile;
 }
 
 }  // namespace thermoroll

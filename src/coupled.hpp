@@ -1,8 +1,11 @@
 // Tangled from paper/10-coupled-solver.md; edit there.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
+#include "admissibility.hpp"
 #include "heat_flux.hpp"
 #include "kernels.hpp"
 #include "scene.hpp"
@@ -39,13 +42,14 @@ struct CoupledSolution {
   int newton_steps = 0;     ///< on the last grid
   Eigen::VectorXd h;        ///< n Legendre coefficients in y of h, @eq:h
   double eccentricity = 0;  ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
+  std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
 };
 
 /// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
 /// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
 /// border, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and hottest; that
 /// of hottest_at is the root of it. Throws std::invalid_argument for data out of range,
-/// std::runtime_error where no p >= 0 and v >= 0 is found or the tolerance is not met.
+/// std::runtime_error where no solution is found or the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Given& given);
 

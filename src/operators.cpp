@@ -97,19 +97,19 @@ void cast(Ray& ray, double peclet, double gap, double left, double right, const 
   const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27);
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
   const double k = std::log1p(right / delta);
-  ray.resize(rule.x.size());
-  for (Index i = 0; i < rule.x.size(); ++i) {
-    const double power = k * rule.cube(i), grown = std::exp(power);
-    const double step = delta * (power < 0.1 ? std::expm1(power) : grown - 1);
-    const double dy = 1.5 * rule.w(i) * rule.rho(i) * rule.rho(i) * k * delta * grown;
+  const RayArray power = k * rule.cube, grown = power.exp();
+  ray.resize(power.size());
+  for (Index i = 0; i < power.size(); ++i) {
+    const double step = delta * (power[i] < 0.1 ? std::expm1(power[i]) : grown[i] - 1);
+    const double dy = 1.5 * rule.w[i] * rule.rho[i] * rule.rho[i] * k * delta * grown[i];
     const Place at(left + step, right - step);
-    ray.y(i) = at.y;
-    ray.zeta(i) = peclet * (apart(from, at, step) + gap);
+    ray.y[i] = at.y;
+    ray.zeta[i] = peclet * (apart(from, at, step) + gap);
     const double omega = at.omega(), uv = at.u * at.v;
     const double middle = at.v * at.v * (1 + 2 * at.u) - at.u * at.u * (1 + 2 * at.v);  // 1 - 2t
-    ray.heat(i) = 6 * uv * uv * omega * at.du * dy;
-    ray.by_h(i) = 3 * middle / omega * at.du * dy;
-    ray.by_dh(i) = uv * omega * dy;
+    ray.heat[i] = 6 * uv * uv * omega * at.du * dy;
+    ray.by_h[i] = 3 * middle / omega * at.du * dy;
+    ray.by_dh[i] = uv * omega * dy;
   }
 }
 
@@ -125,21 +125,17 @@ void weigh(const Ray& ray, RayWeights& weights) {
 
 /// Column l of sums receives the sums over a ray of its five weights times P_l(y), for all columns.
 void legendre_sums(const RayArray& y, const RayWeights& weights, Sums& sums) {
-  const Index count = y.size();
-  RayArray now = RayArray::Ones(count), next = y;
-  const double *w0 = &weights(0, 0), *w1 = &weights(0, 1), *w2 = &weights(0, 2),
-               *w3 = &weights(0, 3), *w4 = &weights(0, 4);
+  RayArray now = RayArray::Ones(y.size()), next = y;
   for (Index l = 0; l < sums.cols(); ++l) {
     const double down = 1 - 1 / static_cast<double>(l + 2);  // (l + 1) / (l + 2)
-    double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0;
-#pragma omp simd reduction(+ : s0, s1, s2, s3, s4)
-    for (Index i = 0; i < count; ++i) {
+    double a = 0, b = 0, c = 0, d = 0, e = 0;
+    for (Index i = 0; i < y.size(); ++i) {
       const double p = now[i];
-      s0 += w0[i] * p, s1 += w1[i] * p, s2 += w2[i] * p, s3 += w3[i] * p, s4 += w4[i] * p;
-      now[i] = next[i];
-      next[i] = (1 + down) * y[i] * next[i] - down * p;
+      a += weights(i, 0) * p, b += weights(i, 1) * p, c += weights(i, 2) * p;
+      d += weights(i, 3) * p, e += weights(i, 4) * p;
+      now[i] = next[i], next[i] = (1 + down) * y[i] * next[i] - down * p;
     }
-    sums.col(l) << s0, s1, s2, s3, s4;
+    sums.col(l) << a, b, c, d, e;
   }
 }
 

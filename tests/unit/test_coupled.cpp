@@ -333,10 +333,11 @@ TEST(Coupled, WithoutHeatItIsTheClosedForm) {
         const Profile profile = thermoroll::profile(scene, formulation, x);
         for (Index i = 0; i < profile.s.size(); ++i) {
           const double s = profile.s(i), border = x.value(thermoroll::border);
-          EXPECT_TRUE(close(profile.pressure(i), thermoroll::hertz_pressure(s), 1e-13L)) << s;
-          // The border is good to rounding; the root of a node's distance from it, to rounding
-          // over that root. Carter's functions subtract, too. Slip is up to 4 f / pi.
-          const Real edge = 1e-13L + 10 * epsilon / std::sqrt(std::abs(s - border));
+          // Next to an end of a zone what is a root of the distance there answers to the rounding of
+          // s, or of the border, by that rounding over the root; the closed form is asked at s.
+          const Real end = 1e-13L + epsilon / std::sqrt(1 - std::abs(s));
+          const Real edge = end + 10 * epsilon / std::sqrt(std::abs(s - border));
+          EXPECT_TRUE(close(profile.pressure(i), thermoroll::hertz_pressure(s), end)) << s;
           EXPECT_TRUE(close(profile.traction(i), thermoroll::carter_traction(c, s), edge)) << s;
           EXPECT_TRUE(close(profile.slip(i), thermoroll::carter_slip(c, s), 2 * edge)) << s;
           EXPECT_TRUE(close(profile.heat_flux(i),
@@ -633,8 +634,8 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
     EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::border, value}, "stick-slip-border = ")) << value;
   for (const Quantity other : {thermoroll::load_ratio, thermoroll::heat, thermoroll::hottest})
     EXPECT_TRUE(refuses(good, 1e-6, {other, 0.5}, "given quantity = ")) << other;
-  // A creep at which the whole contact slips has no border; as printed, a pressure that heat makes
-  // negative is no contact. Both are said, in one line that names the solver.
+  // A creep at which the whole contact slips has no border, and without end heating nothing is
+  // found. It is said in one line that names the solver.
   const auto unsolved = [](const Scene& scene, Formulation formulation, const Given& given) {
     try {
       const CoupledSolution x = solve_coupled(scene, formulation, 1e-4, given);
@@ -653,10 +654,12 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
     EXPECT_TRUE(
         unsolved({friction, 0, 4360, heating}, Formulation::printed, {thermoroll::traction, 0.5}))
         << heating;
-  // Here Newton's method does converge, but p or v is negative somewhere.
-  EXPECT_TRUE(unsolved({friction, 0, 1, 50}, Formulation::corrected, {thermoroll::traction, 0.54}));
-  EXPECT_TRUE(
-      unsolved({friction, 0, 4360, 1e9}, Formulation::corrected, {thermoroll::traction, 0.5}));
+}
+
+// Newton's method converges, but to no contact: it is said what is violated, and where the profile
+// shows it.
+TEST(Coupled, NamesWhatIsViolated) {
+PLACEHOLDER
 }
 
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
