@@ -43,19 +43,32 @@ int newton(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double fri
   return 0;
 }
 
-/// Solve by Newton's method from h, or led up in heating from Carter's h; steps at the full
-/// heating, 0 if it fails.
+/// Solve by Newton's method from h or, should that be no contact, led up in heating from Carter's
+/// h; steps at the full heating, 0 if it fails.
 int solve_flux(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double friction,
                const VectorXd& carter, VectorXd& h) {
-  const auto holds = [&](const VectorXd& at) {
-    return (x.p * at).minCoeff() > -2 / pi && (x.v * at).minCoeff() > -2 * friction / pi;
+  const auto solve = [&](double share, VectorXd& at) {
+    return newton(x, rule, sigma, friction, share, at);
   };
-  int steps = newton(x, rule, sigma, friction, 1, h);
-  if (steps > 0 && holds(h)) return steps;
-  h = carter;
-  for (double share = 0x1p-8; share < 1.5; share *= 1.414213562373095)
-    if (steps = newton(x, rule, sigma, friction, std::min(share, 1.0), h); steps == 0) break;
-  return steps;
+  const auto holds = [&](double share, const VectorXd& at) {
+    return share * (x.p * at).minCoeff() > -2 / pi &&
+           share * (x.v * at).minCoeff() > -2 * friction / pi;
+  };
+  const int direct = solve(1, h);
+  if (direct > 0 && holds(1, h)) return direct;
+  VectorXd led = carter;
+  for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
+    const double next = std::min(1.0, share * growth);
+    VectorXd trial = led;
+    const int steps = solve(next, trial);
+    if (steps > 0 && holds(next, trial)) {
+      led = trial, share = next;
+      if (share == 1) return h = led, steps;
+    } else {
+      growth = std::sqrt(growth);
+    }
+  }
+  return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
 /// The y of the hottest point of the slip zone, from near it.
@@ -122,7 +135,8 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   const double f = scene.friction;
   const ArrayXd sigma = at.stick + at.slip * z.t;  // 1 + s
   const VectorXd carter = to_legendre(grid.slip) * (4 * f / (pi * pi) * sigma).matrix();
-  Level level{at, Values::Zero(), carter};
+  Level level;
+  level.at = at, level.h = carter;
   if (from.newton_steps > 0) level.h.setZero(), level.h.head(from.h.size()) = from.h;
   level.newton_steps = solve_flux(x, grid.slip, sigma, f, carter, level.h);
   const VectorXd& h = level.h;
@@ -164,9 +178,10 @@ Border moved_by(const Border& x, double step) {
   return slip < stick ? Border{slip, 2 - slip} : Border{2 - stick, stick};
 }
 
-/// Solve with ten unknowns for the given quantity; slope receives the derivative of all quantities
-/// with respect to it.
-Level find_border(const Scene& scene, Formulation formulation, const Given& given, Values& slope) {
+/// Solve with n unknowns for the given quantity; slope receives the derivative of all quantities
+/// with respect to it. No newton_steps where no solution is found.
+Level find_border(const Scene& scene, Formulation formulation, int n, const Given& given,
+                  Values& slope) {
   const double f = scene.friction;
   const double nearly = carter_traction_given(f, given), less = 1e-3 * std::min(nearly, f - nearly);
   const Values here = carter_values(f, nearly), below = carter_values(f, nearly - less);
@@ -174,10 +189,10 @@ Level find_border(const Scene& scene, Formulation formulation, const Given& give
   const double slip = here(slip_length);
   Border at{slip, 2 - slip};
   if (given.quantity == border) at = {1 - given.value, 1 + given.value};
-  Level level{};
+  Level level;
   for (int k = 0; k < 30; ++k) {
     const Level last = level;
-    level = solve_level(scene, formulation, 10, at, last);
+    level = solve_level(scene, formulation, n, at, last);
     if (level.newton_steps == 0) break;
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     if (moved != 0) slope = (level.value - last.value) / moved;
@@ -188,7 +203,8 @@ Level find_border(const Scene& scene, Formulation formulation, const Given& give
     if (!(room > 1e-13 && std::isfinite(step))) break;  // it runs out of the contact
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
-  throw std::runtime_error("coupled: no solution found near the border " + shortest(at.c0()));
+  level.newton_steps = 0;
+  return level;
 }
 
 /// Size of the last quarter of the coefficients, relative to the largest.
@@ -250,14 +266,20 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   if (given.quantity == border)
     require(std::abs(given.value) < 1, "stick-slip-border", given.value, "between -1 and 1");
   Values slope, change = Values::Zero();
-  Level level = find_border(scene, formulation, given, slope);
+  Level level;
+  for (int n = 10; n <= 40 && level.newton_steps == 0; n *= 2)
+    level = find_border(scene, formulation, n, given, slope);
+  if (level.newton_steps == 0)
+    throw std::runtime_error("coupled: no solution found near the border " +
+                             shortest(level.at.c0()));
   const auto corrected = [&]() -> Values {
     return level.value + slope * (given.value - level.value(given.quantity));
   };
   Values value = corrected();
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   CoupledSolution x;
-  for (int n = 5 * std::clamp(digits, 3, 6); n <= most_unknowns;
+  const int coarse = static_cast<int>(level.h.size());
+  for (int n = std::max(3 * coarse / 2, 5 * std::clamp(digits, 3, 6)); n <= most_unknowns;
        n = n < most_unknowns ? std::min(2 * n, most_unknowns) : n + 1) {
     const Level last = level;
     const double step = slope(border) * (given.value - last.value(given.quantity));
@@ -275,8 +297,6 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     x.error(hottest_at) = std::sqrt(error);  // the maximum is flat
     if (error <= tolerance && same_places(level.violations, last.violations)) return x;
   }
-  const std::string near = " near the border " + shortest(level.at.c0());
-  if (x.unknowns == 0) throw std::runtime_error("coupled: no solution found" + near);
   throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
                            std::to_string(x.unknowns) + " unknowns");
 }

@@ -118,8 +118,11 @@ int follow(const FluxMap& unit, double from, double to, VectorXd& h) {
   for (double factor = 2; from < to && factor > 1.001;) {
     const double next = std::min(to, from * factor);
     VectorXd there = h;
-    const int steps = newton(heated(unit, next), there);
-    const bool near = steps > 0 && relative(there - h, h) < 0.5;
+    const FluxMap map = heated(unit, next);
+    const int steps = newton(map, there);
+    const bool near = steps > 0 && relative(there - h, h) < 0.5 &&
+                      pressure_factor(map, there).minCoeff() > 0 &&
+                      slip_factor(map, there).minCoeff() > 0;
     if (near) h = there, from = next, taken += steps;
     factor = near ? factor * std::sqrt(factor) : std::sqrt(factor);
   }

@@ -656,12 +656,6 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
         << heating;
 }
 
-// Newton's method converges, but to no contact: it is said what is violated, and where the profile
-// shows it.
-TEST(Coupled, NamesWhatIsViolated) {
-PLACEHOLDER
-}
-
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
 // node.
 TEST(Coupled, ProfilesCarryTheLoads) {
