@@ -71,21 +71,6 @@ int solve_flux(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double
   return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
-/// The y of the hottest point of the slip zone, from near it.
-template <class Slope>
-double climb(const Slope& slope, double y) {
-  double low = -1, high = 1, at = slope(y), last = y - 0.05, before = slope(last);
-  for (int step = 0; step < 60; ++step) {
-    (at > 0 ? low : high) = y;
-    double next = y - at * (y - last) / (at - before);
-    if (!(low < next && next < high)) next = (low + high) / 2;
-    last = y, before = at, y = next;
-    if (std::abs(y - last) < 1e-5) break;
-    at = slope(y);
-  }
-  return y;
-}
-
 /// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
 /// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
 Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
@@ -130,7 +115,7 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
                   const Level& from) {
   const Grid grid(n);
   const Zones z = zones(at, grid.slip, grid.stick);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, grid.ray);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, grid.ray);
   const Inverses x = invert(z, sides, scene.friction);
   const double f = scene.friction;
   const ArrayXd sigma = at.stick + at.slip * z.t;  // 1 + s
@@ -140,18 +125,13 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   if (from.newton_steps > 0) level.h.setZero(), level.h.head(from.h.size()) = from.h;
   level.newton_steps = solve_flux(x, grid.slip, sigma, f, carter, level.h);
   const VectorXd& h = level.h;
-  const double a0 = at.stick / 2, kappa = 1 + x.kappa.dot(h);
-  const ArrayXd g = (sides.g.bottomRows(z.d.size()) * h).array() * z.over_w;
-  const double constant = g.sum() / pi + f * kappa / pi * at.slip;
-  const auto surface = [&](double y) {
-    return warmth(at.slip, scene.peclet, h, 1 + y, 1 - y, 0, grid.fine);
-  };
-  level.summit = climb([&](double y) { return surface(y).slope; }, from.summit);
-  const Place top(1 + level.summit, 1 - level.summit);
-  level.value << at.c0(), at.slip, f * (1 - kappa * a0 * a0) + ((a0 - z.d) * g).sum(), constant,
-      constant - f * x.gamma0.dot(h), kappa, x.gamma0.dot(h),
-      at.slip * at.slip * z.heat.dot(grid.slip.p * h), surface(level.summit).value,
-      at.c0() + at.slip * top.t();
+  const Loads load = loads(z, sides, x, f, h);
+  const Summit summit = climb(at.slip, scene.peclet, h, from.summit, grid.fine);
+  const Place top(1 + summit.y, 1 - summit.y);
+  const double heat = at.slip * at.slip * z.heat.dot(grid.slip.p * h);
+  level.summit = summit.y;
+  level.value << at.c0(), at.slip, load.traction, load.constant, load.constant - f * load.gamma0,
+      load.kappa, load.gamma0, heat, summit.value, at.c0() + at.slip * top.t();
   level.violations = violations(factors(grid, z, sides, x, f, h));
   return level;
 }
@@ -248,7 +228,7 @@ bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& 
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
   const Grid grid(n);
   const Zones z = zones({1 - c0, 1 + c0}, grid.slip, grid.stick);
-  const Inverses x = invert(z, thermal_sides(scene, formulation, z, grid.ray), scene.friction);
+  const Inverses x = invert(z, thermal_sides(scene, formulation, z, n, grid.ray), scene.friction);
   const MatrixXd to = to_legendre(grid.slip);
   return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
 }
@@ -313,10 +293,10 @@ Profile profile(const Scene& scene, Formulation formulation, const CoupledSoluti
   const Grid grid(x.unknowns);
   const double slip = x.value(slip_length);
   const Zones z = zones({slip, 1 + x.value(border)}, grid.slip, grid.stick);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, grid.ray);
+  const Index n = z.y.size(), m = z.d.size();
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, grid.ray);
   const Inverses inverses = invert(z, sides, scene.friction);
   const Factors at = factors(grid, z, sides, inverses, scene.friction, x.h);
-  const Index n = z.y.size(), m = z.d.size();
   ArrayXd right(m + n);  // 1 - s, with its digits
   right << slip + z.d.reverse(), slip * (1 - z.t);
   Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, at.s};

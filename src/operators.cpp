@@ -161,15 +161,15 @@ ArrayXd slope_at_nodes(const Rule& rule, const ArrayXd& values) {
   return slopes;
 }
 
-ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
+ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z, Index terms,
                            const Rule& rule) {
   const Index n = z.y.size(), m = z.d.size();
   const double slip = z.border.slip, peclet = scene.peclet * slip;
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
-  MatrixXd slope(n + m, n), dslope(n, n), strain = MatrixXd::Zero(n + m, n);
+  MatrixXd slope(n + m, terms), dslope(n, terms), strain = MatrixXd::Zero(n + m, terms);
   Ray ray;
   RayWeights weights;
-  Sums sums(5, n);
+  Sums sums(5, terms);
   for (Index i = 0; i < n; ++i) {
     cast(ray, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
     weigh(ray, weights);
@@ -185,7 +185,7 @@ ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zo
       const Kernels k = fast_kernels(ray.zeta(i) + peclet * (gap(j) - gap.minCoeff()));
       n1(i, j) = k.n1, n2(i, j) = k.n2_up;
     }
-  const MatrixXd heat = ray.heat.matrix().asDiagonal() * legendre(ray.y, n);
+  const MatrixXd heat = ray.heat.matrix().asDiagonal() * legendre(ray.y, terms);
   slope.bottomRows(m) = n1.transpose() * heat, strain.bottomRows(m) = n2.transpose() * heat;
   const double strength = scene.friction * scene.peclet * scene.heating * slip;
   return {-sign * strength * slip * slope, -sign * strength * dslope,
@@ -217,6 +217,14 @@ Inverses invert(const Zones& z, const ThermalSides& sides, double friction) {
   return x;
 }
 
+Loads loads(const Zones& z, const ThermalSides& sides, const Inverses& x, double friction,
+            const VectorXd& h) {
+  const double a0 = z.border.stick / 2, kappa = 1 + x.kappa.dot(h);
+  const ArrayXd g = (sides.g.bottomRows(z.d.size()) * h).array() * z.over_w;
+  return {kappa, x.gamma0.dot(h), g.sum() / pi + friction * kappa / pi * z.border.slip,
+          friction * (1 - kappa * a0 * a0) + ((a0 - z.d) * g).sum()};
+}
+
 Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double right, double gap,
               const Rule& rule) {
   Warmth sum{0, 0};
@@ -241,6 +249,22 @@ Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double
     }
   }
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
+}
+
+Summit climb(double slip, double peclet, const VectorXd& h, double y, const Rule& rule) {
+  const auto at = [&](double place) {
+    return warmth(slip, peclet, h, 1 + place, 1 - place, 0, rule);
+  };
+  double low = -1, high = 1, slope = at(y).slope, last = y - 0.05, before = at(last).slope;
+  for (int step = 0; step < 60; ++step) {
+    (slope > 0 ? low : high) = y;
+    double next = y - slope * (y - last) / (slope - before);
+    if (!(low < next && next < high)) next = (low + high) / 2;
+    last = y, before = slope, y = next;
+    if (std::abs(y - last) < 1e-5) break;
+    slope = at(y).slope;
+  }
+  return {y, at(y).value};
 }
 
 }  // namespace thermoroll

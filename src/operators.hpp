@@ -88,9 +88,9 @@ struct ThermalSides {
   Eigen::MatrixXd f, df, g;
 };
 
-/// These matrices on a grid; the traction of the scene is not used.
+/// These matrices on a grid, for an h of so many terms; the traction of the scene is not used.
 ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
-                           const Rule& rule);
+                           Eigen::Index terms, const Rule& rule);
 
 /// At the slip nodes p-hat = 2/pi + p h and v-hat = 2f/pi + v h; kappa = 1 + kappa h and
 /// gamma0 = gamma0 h.
@@ -102,6 +102,13 @@ struct Inverses {
 /// These matrices on a grid.
 Inverses invert(const Zones& z, const ThermalSides& sides, double friction);
 
+/// What @eq:pressure-conditions and @eq:stick-conditions give for h: kappa, gamma0, C and Q*.
+struct Loads {
+  double kappa, gamma0, constant, traction;
+};
+Loads loads(const Zones& z, const ThermalSides& sides, const Inverses& x, double friction,
+            const Eigen::VectorXd& h);
+
 /// T* and dT*/ds.
 struct Warmth {
   double value, slope;
@@ -111,5 +118,13 @@ struct Warmth {
 /// or, with left = 0, across a gap (in lengths of the slip zone).
 Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left, double right,
               double gap, const Rule& rule);
+
+/// The hottest point of the slip zone and T* there.
+struct Summit {
+  double y, value;
+};
+
+/// Find it from near y, to about 1e-9 in y.
+Summit climb(double slip, double peclet, const Eigen::VectorXd& h, double y, const Rule& rule);
 
 }  // namespace thermoroll
