@@ -71,37 +71,6 @@ int solve_flux(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double
   return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
-/// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
-/// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
-Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
-                double friction, const VectorXd& h) {
-  const Index n = z.y.size(), m = z.d.size();
-  const double kappa = 1 + x.kappa.dot(h);
-  const ArrayXd f = sides.f * h, g = sides.g.bottomRows(m) * h;
-  const ArrayXd dx_dr = -grid.stick.w / (z.over_w * (z.d * (z.border.stick - z.d)).sqrt());
-  const ArrayXd df = dx_dr * slope_at_nodes(grid.stick, f.tail(m));
-  const ArrayXd dg = dx_dr * slope_at_nodes(grid.stick, g);
-  ArrayXd from_border(m + n), pressure(m + n), slip(m + n), s(m + n);
-  from_border << -z.d, z.border.slip * z.t;
-  const ArrayXd over_root = z.over_root.array();
-  ArrayXd p = 2 * kappa - over_root.tail(m) * df, v = 2 * friction * kappa - z.over_w * dg;
-  for (Index i = 0; i < m; ++i) {
-    for (Index j = 0; j < n; ++j)
-      p(i) -= over_root(j) * (f(j) - f(n + i)) / (z.border.slip * z.t(j) + z.d(i));
-    for (Index j = 0; j < m; ++j) {
-      if (j == i) continue;
-      const double apart = z.d(i) - z.d(j);
-      p(i) -= over_root(n + j) * (f(n + j) - f(n + i)) / apart;
-      v(i) -= z.over_w(j) * (g(j) - g(i)) / apart;
-    }
-  }
-  p /= pi, v /= pi;
-  pressure << p.reverse(), 2 / pi + (x.p * h).array();
-  slip << v.reverse(), 2 * friction / pi + (x.v * h).array();
-  s << z.r.reverse(), z.s;
-  return {friction, z.border.c0(), kappa, s, pressure, slip};
-}
-
 struct Level {
   Border at;
   Values value;
@@ -198,15 +167,9 @@ double estimate(const Values& change, double now, double before, int n) {
   double integrals = 0;
   for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
   const double shrunk = std::clamp(now / before, 0.05, 0.2), size = n;
-  return std::max({10 * now / (size * size), 0.2 * integrals, shrunk * change(hottest)}) +
+  const double unresolved = now > 1e-3 ? now : 10 * now / (size * size);
+  return std::max({unresolved, 0.2 * integrals, shrunk * change(hottest)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
-}
-
-/// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
-Values scale_of(const Values& v) {
-  Values scale = Values::Ones();
-  for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
-  return scale;
 }
 
 /// The distance 1 + y at which t is the given share, in [0, 1/2].
@@ -225,6 +188,12 @@ bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& 
 
 }  // namespace
 
+Values scale_of(const Values& v) {
+  Values scale = Values::Ones();
+  for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
+  return scale;
+}
+
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
   const Grid grid(n);
   const Zones z = zones({1 - c0, 1 + c0}, grid.slip, grid.stick);
@@ -233,8 +202,7 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) 
   return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
 }
 
-CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
-                              const Given& given) {
+void check_given(const Scene& scene, double tolerance, const Given& given) {
   Scene checked = scene;
   checked.traction = scene.friction / 2;  // not used: given takes its place
   check(checked);
@@ -245,6 +213,11 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   if (given.quantity == creep) require(given.value > 0, "creep", given.value, "positive");
   if (given.quantity == border)
     require(std::abs(given.value) < 1, "stick-slip-border", given.value, "between -1 and 1");
+}
+
+CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+                              const Given& given) {
+  check_given(scene, tolerance, given);
   Values slope, change = Values::Zero();
   Level level;
   for (int n = 10; n <= 40 && level.newton_steps == 0; n *= 2)

@@ -45,6 +45,12 @@ struct CoupledSolution {
   std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
 };
 
+/// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
+Values scale_of(const Values& v);
+
+/// Refuse what solve_coupled does not take, by std::invalid_argument.
+void check_given(const Scene& scene, double tolerance, const Given& given);
+
 /// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
 /// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
 /// border, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and hottest; that

@@ -267,4 +267,35 @@ Summit climb(double slip, double peclet, const VectorXd& h, double y, const Rule
   return {y, at(y).value};
 }
 
+/// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
+/// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
+Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
+                double friction, const VectorXd& h) {
+  const Index n = z.y.size(), m = z.d.size();
+  const double kappa = 1 + x.kappa.dot(h);
+  const ArrayXd f = sides.f * h, g = sides.g.bottomRows(m) * h;
+  const ArrayXd dx_dr = -grid.stick.w / (z.over_w * (z.d * (z.border.stick - z.d)).sqrt());
+  const ArrayXd df = dx_dr * slope_at_nodes(grid.stick, f.tail(m));
+  const ArrayXd dg = dx_dr * slope_at_nodes(grid.stick, g);
+  ArrayXd from_border(m + n), pressure(m + n), slip(m + n), s(m + n);
+  from_border << -z.d, z.border.slip * z.t;
+  const ArrayXd over_root = z.over_root.array();
+  ArrayXd p = 2 * kappa - over_root.tail(m) * df, v = 2 * friction * kappa - z.over_w * dg;
+  for (Index i = 0; i < m; ++i) {
+    for (Index j = 0; j < n; ++j)
+      p(i) -= over_root(j) * (f(j) - f(n + i)) / (z.border.slip * z.t(j) + z.d(i));
+    for (Index j = 0; j < m; ++j) {
+      if (j == i) continue;
+      const double apart = z.d(i) - z.d(j);
+      p(i) -= over_root(n + j) * (f(n + j) - f(n + i)) / apart;
+      v(i) -= z.over_w(j) * (g(j) - g(i)) / apart;
+    }
+  }
+  p /= pi, v /= pi;
+  pressure << p.reverse(), 2 / pi + (x.p * h).array();
+  slip << v.reverse(), 2 * friction / pi + (x.v * h).array();
+  s << z.r.reverse(), z.s;
+  return {friction, z.border.c0(), kappa, s, pressure, slip};
+}
+
 }  // namespace thermoroll

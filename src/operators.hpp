@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "admissibility.hpp"
 #include "kernels.hpp"
 #include "scene.hpp"
 
@@ -108,6 +109,10 @@ struct Loads {
 };
 Loads loads(const Zones& z, const ThermalSides& sides, const Inverses& x, double friction,
             const Eigen::VectorXd& h);
+
+/// What the tractions are made of, on both zones (@sec:admissibility), for an h.
+Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
+                double friction, const Eigen::VectorXd& h);
 
 /// T* and dT*/ds.
 struct Warmth {

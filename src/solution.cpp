@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "least_model.hpp"
 #include "quadrature.hpp"
 #include "temperature.hpp"
 
@@ -48,16 +49,6 @@ Solution solve_by_newton(Scene scene, const Approach& approach, const Given& giv
   the_given_one(error, given) = 0;
   scene.traction = value.traction;
   return {scene, approach, value, error, x};
-}
-
-Carter carter_given(double f, const Given& given) {
-  if (given.quantity == traction) return carter(f, given.value);
-  const double c0 = given.value;
-  if (given.quantity == border)
-    return {f, (1 + c0) / 2, (1 - c0) / 2, c0, 2 * f / pi * ((1 - c0) / 2)};
-  const double h = pi * given.value / (2 * f), b = 1 - h;
-  require(h < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
-  return {f, b, h, 2 * b - 1, given.value};
 }
 
 Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {

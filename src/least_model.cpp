@@ -1,0 +1,208 @@
+// Tangled from paper/14-least-model.md; edit there.
+#include "least_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "numbers.hpp"
+#include "operators.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Infinity;
+using Eigen::VectorXd;
+
+Carter carter_given(double f, const Given& given) {
+  if (given.quantity == traction) return carter(f, given.value);
+  const double c0 = given.value;
+  if (given.quantity == border)
+    return {f, (1 + c0) / 2, (1 - c0) / 2, c0, 2 * f / pi * ((1 - c0) / 2)};
+  const double h = pi * given.value / (2 * f), b = 1 - h;
+  require(h < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
+  return {f, b, h, 2 * b - 1, given.value};
+}
+
+namespace {
+
+Border border_of(const Carter& c) { return {2 * c.slip_half_width, 2 * c.b}; }
+
+double traction_of(const Carter& c) { return c.friction * c.slip_half_width * (1 + c.b); }
+
+/// The ten Legendre coefficients of Carter's h.
+VectorXd carter_h(const Border& at, double friction) {
+  const Rule& rule = gauss_legendre(10);
+  VectorXd h(10);
+  for (Eigen::Index i = 0; i < 10; ++i)
+    h(i) = at.stick + at.slip * Place(1 + rule.x(i), 1 - rule.x(i)).t();
+  return 4 * friction / (pi * pi) * (to_legendre(rule) * h);
+}
+
+Values carter_values(const Carter& c) {
+  Values x;
+  x << c.c0, 2 * c.slip_half_width, traction_of(c), c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
+  return x;
+}
+
+/// The limit @eq:fast-limit: T* sqrt(Pe) / (f slip^1.5) and y of its top, as Legendre series in
+/// 2 ell - 1.
+struct FastLimit {
+  FastLimit() : value(20), y(20) {
+    const Rule& rule = gauss_legendre(20);
+    for (Eigen::Index i = 0; i < 20; ++i) {
+      const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
+      const Border at{slip, 2 - slip};
+      const Summit top = climb(slip, peclet, carter_h(at, 1), 0.45, gauss_legendre(200));
+      value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5), y(i) = top.y;
+    }
+    value = to_legendre(rule) * value, y = to_legendre(rule) * y;
+  }
+  VectorXd value, y;
+};
+
+Summit fast_limit(const Border& at, double friction, double peclet) {
+  static const FastLimit limit;
+  const Eigen::RowVectorXd p = legendre(ArrayXd::Constant(1, at.slip - 1), 20).row(0);
+  const double unit = friction * std::pow(at.slip, 1.5) / std::sqrt(peclet);
+  return {p.dot(limit.y), unit * p.dot(limit.value)};
+}
+
+const Rule& rays_for(double tolerance) {
+  return gauss_legendre(8 + 7 * static_cast<int>(std::ceil(-std::log10(tolerance))));
+}
+
+/// The hottest point for Carter's heat, to a tenth of the tolerance.
+Summit hottest_of_carter(const Border& at, double friction, double peclet, double tolerance) {
+  const double lambda = at.slip * peclet;
+  const Summit fast = fast_limit(at, friction, peclet);
+  if (1.3 / (lambda * lambda) < tolerance / 10) return fast;
+  return climb(at.slip, peclet, carter_h(at, friction), fast.y, rays_for(tolerance));
+}
+
+bool sticks_without_heat(double friction, const Given& given) {
+  return given.quantity != creep || pi * given.value < 2 * friction;
+}
+
+Carter carter_near(double friction, Given given) {
+  const double most = given.quantity == creep ? 2 * friction / pi : friction;
+  if (given.quantity != border)
+    given.value = std::clamp(given.value, 1e-9 * most, (1 - 1e-9) * most);
+  return carter_given(friction, given);
+}
+
+/// What Carter's heat does to Carter's solution, on a grid of n unknowns.
+struct Correction {
+  Border at;                          // of the corrected solution
+  VectorXd h;                         // its values of h at the nodes
+  Values value, cold;                 // all but the temperature, with heat and without
+  double most, mean;                  // relative change of the flux, at any node and over the heat
+  std::vector<Violation> violations;  // at the old border
+};
+
+Correction correct(const Scene& scene, Formulation formulation, const Given& given, int n) {
+  const double f = scene.friction;
+  const Carter cold = carter_given(f, given);
+  const Grid grid(n);
+  const Zones z = zones(border_of(cold), grid.slip, grid.stick);
+  const VectorXd h0 = carter_h(z.border, f);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), grid.ray);
+  const Inverses inverses = invert(z, sides, f);
+  const Loads load = loads(z, sides, inverses, f, h0);
+  Values change = Values::Zero();
+  change(traction) = load.traction - traction_of(cold);
+  change(creep_constant) = load.constant - cold.creep;
+  change(creep) = change(creep_constant) - f * load.gamma0;
+  change(load_ratio) = load.kappa - 1, change(gamma0) = load.gamma0;
+  const Carter c = carter_near(f, {given.quantity, given.value - change(given.quantity)});
+  const double unit = 4 * f / (pi * pi);  // h = unit sigma without heat
+  const ArrayXd sigma = z.border.stick + z.border.slip * z.t, flat = unit * sigma;
+  const ArrayXd p = 2 / pi + (inverses.p * h0).array(), v = 2 * f / pi + (inverses.v * h0).array();
+  const ArrayXd gained = sigma * p * v - flat;
+  Correction x;
+  x.at = border_of(c);
+  x.h = unit * (x.at.stick + x.at.slip * z.t) + gained;
+  x.most = gained.abs().maxCoeff() / flat.maxCoeff();
+  x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
+  x.violations = violations(factors(grid, z, sides, inverses, f, h0));
+  x.cold = carter_values(cold), x.value = carter_values(c) + change;
+  x.value(heat) = x.at.slip * x.at.slip * z.heat.dot(x.h);
+  return x;
+}
+
+double largest_change(const Correction& x) {
+  const Values change = (x.value - x.cold).abs() / scale_of(x.cold);
+  return std::max(change.head(heat + 1).maxCoeff(), x.mean);
+}
+
+CoupledSolution rung(const VectorXd& h, const Values& value, const Border& at, const Summit& top,
+                     double error, const Given& given) {
+  CoupledSolution x;
+  x.h = h, x.value = value, x.unknowns = static_cast<int>(h.size());
+  x.value(hottest) = top.value;
+  x.value(hottest_at) = at.c0() + at.slip * Place(1 + top.y, 1 - top.y).t();
+  x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
+  const double miss = std::abs(value(given.quantity) - given.value);
+  x.error = (error + miss) * scale_of(x.value), x.error(hottest_at) = std::sqrt(error + miss);
+  x.value(given.quantity) = given.value, x.error(given.quantity) = 0;
+  return x;
+}
+
+std::string brief(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", x);
+  return text;
+}
+
+}  // namespace
+
+double expected_change(const Scene& scene, const Carter& c) {
+  const double half = c.slip_half_width, own_peclet = 2 * half * scene.peclet;
+  return scene.friction * scene.heating * std::min(std::sqrt(half), own_peclet);
+}
+
+CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given) {
+  const Correction left_out = correct(scene, formulation, given, 6);
+  const Border at = border_of(carter_given(scene.friction, given));
+  const Summit top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
+  const double error = 1.5 * largest_change(left_out) + 0.1 * tolerance;
+  return rung(carter_h(at, scene.friction), left_out.cold, at, top, error, given);
+}
+
+CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given) {
+  const Correction x = correct(scene, formulation, given, 16);
+  const VectorXd h = to_legendre(gauss_legendre(16)) * x.h;
+  const double near = fast_limit(x.at, scene.friction, scene.peclet).y;
+  const Summit top = climb(x.at.slip, scene.peclet, h, near, rays_for(tolerance));
+  const double r = std::max(largest_change(x), x.most);
+  const double error = 2 * r * r + 2e-3 * r + 0.1 * tolerance;
+  CoupledSolution solution = rung(h, x.value, x.at, top, error, given);
+  solution.violations = x.violations;
+  return solution;
+}
+
+Answer least_model(const Scene& scene, Formulation formulation, double tolerance,
+                   const Given& given) {
+  check_given(scene, tolerance, given);
+  const double guess = sticks_without_heat(scene.friction, given)
+                           ? expected_change(scene, carter_given(scene.friction, given)) / 4
+                           : 1;  // no closed form to start from
+  if (guess < tolerance) {
+    CoupledSolution x = closed_form(scene, formulation, tolerance, given);
+    const double left = x.error(load_ratio);
+    if (left <= tolerance)
+      return {Model::closed_form, "heat changes no result by more than " + brief(left), x};
+  }
+  if (guess * guess < tolerance) {
+    CoupledSolution x = first_order(scene, formulation, tolerance, given);
+    const double left = x.error(load_ratio);
+    if (left <= tolerance && x.violations.empty())
+      return {Model::first_order, "the second order of heat is below " + brief(left), x};
+  }
+  return {Model::coupled, "heat acts on the heat by more than " + brief(tolerance),
+          solve_coupled(scene, formulation, tolerance, given)};
+}
+
+}  // namespace thermoroll

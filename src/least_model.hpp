@@ -1,0 +1,41 @@
+// Tangled from paper/14-least-model.md; edit there.
+#pragma once
+
+#include <string>
+
+#include "carter.hpp"
+#include "coupled.hpp"
+#include "scene.hpp"
+
+namespace thermoroll {
+
+/// Carter's closed form for what is given (traction, creep or border); std::invalid_argument where
+/// there is none.
+Carter carter_given(double friction, const Given& given);
+
+/// How much heat is expected to change results, relatively, @eq:a-priori.
+double expected_change(const Scene& scene, const Carter& c);
+
+/// The rungs, as solutions of the coupled problem; errors include what the model leaves out. The
+/// closed form's h has ten terms, and no heat acts on its tractions. Arguments and refusals as for
+/// carter_given.
+CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given);
+CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given);
+
+enum class Model { closed_form, first_order, coupled };
+
+/// A solution, the model that it is of, and why that one.
+struct Answer {
+  Model model;
+  std::string reason;
+  CoupledSolution solution;
+};
+
+/// Solve by the least model whose estimated error meets the tolerance. Arguments, errors and
+/// refusals as for solve_coupled.
+Answer least_model(const Scene& scene, Formulation formulation, double tolerance,
+                   const Given& given);
+
+}  // namespace thermoroll
