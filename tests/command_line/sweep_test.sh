@@ -359,10 +359,10 @@ prepare_parallel() {
   ln -s "$program" "$bin/thermoroll"
   cat >"$bin/other-machine" <<'END'
 #!/bin/sh
-# In place of ssh: HOST -- COMMAND...
+# In place of ssh: HOST -- COMMAND..., with the SHELL that a login sets, whatever is set here.
 echo "$1" >>hosts
 shift 2
-exec sh -c "$*"
+SHELL=/bin/sh exec sh -c "$*"
 END
   chmod +x "$bin/other-machine"
   export PATH="$bin:$PATH" HOME="$PWD/home" PARALLEL_SSH="$bin/other-machine"
