@@ -54,7 +54,9 @@ CLI::Validator allow(Condition condition, const std::string& allowed) {
 }
 
 Approach read_approach(const CaseOptions& o) {
-  const Method method = o.method == "coupled"       ? Method::coupled
+  const Method method = o.method == "auto"          ? Method::automatic
+                        : o.method == "coupled"     ? Method::coupled
+                        : o.method == "first-order" ? Method::first_order
                         : o.method == "closed-form" ? Method::closed_form
                                                     : Method::gauss_chebyshev;
   const bool printed = o.formulation == "printed";
@@ -124,11 +126,11 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
   for (const CaseOption& option : si_options) add(option, si);
   for (const CaseOption& option : size_options) add(option, si);
-  command.add_option("--method", o.method, "coupled unless given")
-      ->type_name("coupled|closed-form|gauss-chebyshev")
-      ->check(one_of({"coupled", "closed-form", "gauss-chebyshev"}))
+  command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
+      ->type_name("auto|closed-form|first-order|coupled|gauss-chebyshev")
+      ->check(one_of({"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"}))
       ->group("Method");
-  command.add_option("--tolerance", o.tolerance, "of coupled, 1e-11 to 1e-2; 1e-6 unless given")
+  command.add_option("--tolerance", o.tolerance, "1e-11 to 1e-2; 1e-6 unless given")
       ->type_name("NUMBER")
       ->check(finite_number())
       ->group("Method");

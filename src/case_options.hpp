@@ -21,7 +21,7 @@ struct CaseOptions {
   Maybe peclet, heating;
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
-  std::string method = "coupled", formulation = "corrected";
+  std::string method = "auto", formulation = "corrected";
   int nodes = 200;
   double tolerance = 1e-6;
 };

@@ -132,9 +132,10 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --config wheel.toml --traction 0.4
 
 The last reads the case from a file of lines such as "friction = 0.6" (TOML or INI).
-Methods: coupled solves tractions and heat together, to the tolerance; closed-form leaves out what
-the heat does to the tractions, and that is not counted in its errors; gauss-chebyshev is the
-published scheme and has no error estimate.
+Methods: auto takes the least of the next three that meets the tolerance; coupled solves tractions
+and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
+what the heat does to the tractions, and asked for by name does not count that in its errors;
+gauss-chebyshev is the published scheme and has no error estimate.
 Temperatures in degree C are rises above ambient.)";
 
 constexpr const char* sweep_examples = R"(Examples:

@@ -101,8 +101,8 @@ void require_finite(const Solution& x, const std::optional<PhysicalResults>& phy
 }
 
 const char* name_of(Method method) {
-  if (method == Method::coupled) return "coupled";
-  return method == Method::closed_form ? "closed-form" : "gauss-chebyshev";
+  const char* const names[] = {"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"};
+  return names[static_cast<int>(method)];
 }
 
 template <class T, std::size_t n>
@@ -117,6 +117,8 @@ json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) 
   const bool printed = x.approach.formulation == Formulation::printed;
   const auto* scheme = std::get_if<PrintedSolution>(&x.found);
   o["method"] = name_of(x.approach.method);
+  o["model"] = scheme ? json() : json(x.model);
+  o["reason"] = scheme ? json() : json(x.reason);
   o["formulation"] = printed ? "printed" : "corrected";
   o["friction"] = x.scene.friction;
   o["traction"] = x.scene.traction;
@@ -163,6 +165,7 @@ std::string to_text(const Solution& x, const std::optional<PhysicalResults>& phy
     table.push_back({name, symbol, text, "", ""});
   };
   plain("method", "");
+  if (x.approach.method == Method::automatic) plain("model", ""), plain("reason", "");
   if (x.approach.method != Method::closed_form) plain("formulation", "");
   plain("friction", "f");
   plain("peclet", "Pe");
@@ -178,7 +181,7 @@ std::string to_text(const Solution& x, const std::optional<PhysicalResults>& phy
   if (x.approach.method == Method::gauss_chebyshev)
     for (const char* name : {"nodes", "outer_iterations", "inner_iterations", "converged"})
       plain(name, "");
-  if (x.approach.method == Method::coupled)
+  if (std::holds_alternative<CoupledSolution>(x.found))
     for (const char* name : {"unknowns", "newton_iterations"}) plain(name, "");
   return aligned(table) + remark(x);
 }

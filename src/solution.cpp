@@ -37,10 +37,24 @@ Results named(const Values& x, double eccentricity) {
           x(gamma0),   eccentricity, x(heat),           x(hottest), x(hottest_at)};
 }
 
-Solution solve_by_newton(Scene scene, const Approach& approach, const Given& given) {
+std::string name_of(Model model) {
+  if (model == Model::closed_form) return "closed-form";
+  return model == Model::first_order ? "first-order" : "coupled";
+}
+
+Answer answer(const Scene& scene, const Approach& a, const Given& given) {
+  const std::string asked = "asked for";
+  if (a.method == Method::coupled)
+    return {Model::coupled, asked, solve_coupled(scene, a.formulation, a.tolerance, given)};
+  if (a.method == Method::first_order)
+    return {Model::first_order, asked, first_order(scene, a.formulation, a.tolerance, given)};
+  return least_model(scene, a.formulation, a.tolerance, given);
+}
+
+Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& given) {
   const double tolerance = approach.tolerance;
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
-  const CoupledSolution x = solve_coupled(scene, approach.formulation, tolerance, given);
+  const auto [model, reason, x] = answer(scene, approach, given);
   const Values &v = x.value, &e = x.error;
   const double kappa = v(load_ratio);
   const double drift = pi / (2 * kappa) * (e(gamma0) + std::abs(v(gamma0)) / kappa * e(load_ratio));
@@ -48,7 +62,7 @@ Solution solve_by_newton(Scene scene, const Approach& approach, const Given& giv
   the_given_one(value, given) = given.value;
   the_given_one(error, given) = 0;
   scene.traction = value.traction;
-  return {scene, approach, value, error, x};
+  return {scene, approach, value, error, x, true, name_of(model), reason};
 }
 
 Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {
@@ -63,7 +77,7 @@ Solution solve_closed_form(Scene scene, const Approach& approach, const Given& g
   the_given_one(value, given) = given.value;
   the_given_one(error, given) = 0;
   scene.traction = value.traction;
-  return {scene, approach, value, error, c};
+  return {scene, approach, value, error, c, true, name_of(Model::closed_form), "asked for"};
 }
 
 PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
@@ -167,7 +181,7 @@ Top top(const Eigen::ArrayXd& s, const Eigen::ArrayXd& y, const Function& curve)
 }
 
 Peaks peaks_of(const Solution& solution, const CoupledSolution& x) {
-  const Profile y = profile(solution.scene, solution.approach.formulation, x);
+  const Profile y = profile(solution);
   const double c0 = x.value(border);
   const HeatFlux flux = coupled_flux(x);
   const Eigen::ArrayXd factor = y.pressure / ((1 - y.s) * (1 + y.s)).sqrt();
@@ -184,8 +198,8 @@ Peaks peaks_of(const Solution& solution, const CoupledSolution& x) {
 
 Solution solve(const Scene& scene, const Approach& approach, const Given& given) {
   check_case(scene, given);
-  if (approach.method == Method::coupled) return solve_by_newton(scene, approach, given);
   if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
+  if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
   if (given.quantity != traction)
     throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
   return solve_gauss_chebyshev(scene, approach);
@@ -196,8 +210,11 @@ Solution solve(const Scene& scene, const Approach& approach) {
 }
 
 Profile profile(const Solution& x) {
-  if (const auto* coupled = std::get_if<CoupledSolution>(&x.found))
-    return profile(x.scene, x.approach.formulation, *coupled);
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) {
+    Scene scene = x.scene;
+    if (x.model == name_of(Model::closed_form)) scene.heating = 0;  // as its tractions are
+    return profile(scene, x.approach.formulation, *found);
+  }
   if (const auto* closed = std::get_if<Carter>(&x.found)) return carter_profile(x.scene, *closed);
   throw std::invalid_argument(
       "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "

@@ -14,16 +14,16 @@
 
 namespace thermoroll {
 
-/// Carter's closed form without thermal deformation, the published Gauss-Chebyshev scheme, or the
-/// coupled solver.
-enum class Method { closed_form, gauss_chebyshev, coupled };
+/// The least model that meets the tolerance; Carter's closed form without thermal deformation, its
+/// first order in the heating, the coupled solver; the published Gauss-Chebyshev scheme.
+enum class Method { automatic, closed_form, first_order, coupled, gauss_chebyshev };
 
 /// How a scene is to be solved.
 struct Approach {
-  Method method = Method::coupled;
+  Method method = Method::automatic;
   Formulation formulation = Formulation::corrected;  ///< makes no difference to the closed form
   int nodes = 200;                                   ///< of the scheme, 3 to 5000
-  double tolerance = 1e-6;                           ///< of the coupled solver, 1e-11 to 1e-2
+  double tolerance = 1e-6;                           ///< of all but the scheme, 1e-11 to 1e-2
 };
 
 /// What is reported of a solved scene; dimensionless.
@@ -48,6 +48,7 @@ struct Solution {
   std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
   std::variant<Carter, PrintedSolution, CoupledSolution> found;
   bool converged = true;
+  std::string model{}, reason{};  ///< the rung of @sec:ladder and why; empty for the scheme
 };
 
 /// Solve the scene for what is given (scene.traction is not used then), or for its traction.
