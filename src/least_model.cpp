@@ -122,11 +122,11 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   Correction x;
   x.at = border_of(c);
   x.h = unit * (x.at.stick + x.at.slip * z.t) + gained;
+  change(heat) = x.at.slip * x.at.slip * z.heat.dot(gained.matrix());
   x.most = gained.abs().maxCoeff() / flat.maxCoeff();
   x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
   x.violations = violations(factors(grid, z, sides, inverses, f, h0));
   x.cold = carter_values(cold), x.value = carter_values(c) + change;
-  x.value(heat) = x.at.slip * x.at.slip * z.heat.dot(x.h);
   return x;
 }
 

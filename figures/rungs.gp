@@ -1,0 +1,16 @@
+# Up to which heating the closed form (dashed) and its linear correction (full) meet a tolerance.
+name = 'rungs'
+load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
+
+eval range(1e-2, 1e6, 1e-7, 100)
+eval axes('Pe', 'H')
+set bmargin at screen 0.155
+set rmargin at screen 0.95
+set logscale xy
+set xtics ('0.01' 1e-2, '1' 1, '100' 100, '10^4' 1e4, '10^6' 1e6) offset 0,0.2
+set ytics ('100' 100, '1' 1, '10^{−2}' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6)
+set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 width -2
+set label 'paper' at 4360, 0.0175 point pointtype 2 pointsize 0.8 offset 0.6,-0.7
+tolerance(k, i) = sprintf("data using 'peclet':'closed_%d' with lines linetype %d dashtype (8,4) notitle, " \
+  ."data using 'peclet':'first_%d' with lines linetype %d dashtype solid title '10^{−%d}'", k, i, k, i, k)
+eval "plot ".tolerance(2, 1).", ".tolerance(3, 2).", ".tolerance(6, 3)

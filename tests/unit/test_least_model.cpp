@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "carter.hpp"
+#include "least_model.hpp"
+#include "reference.hpp"
+#include "temperature.hpp"
+
+namespace {
+
+using reference::close;
+using thermoroll::Answer;
+using thermoroll::CoupledSolution;
+using thermoroll::Formulation;
+using thermoroll::Given;
+using thermoroll::Model;
+using thermoroll::Scene;
+using thermoroll::Values;
+
+// The sanitizers need not see every scene.
+#ifdef NDEBUG
+constexpr int thorough = 10;
+#else
+constexpr int thorough = 1;
+#endif
+
+constexpr Formulation both[] = {Formulation::printed, Formulation::corrected};
+
+// The difference of two solutions in units of what the tolerance is relative to; the place of the
+// hottest point has a tolerance of its own.
+double apart(const CoupledSolution& x, const CoupledSolution& y) {
+  const Values off = (x.value - y.value).abs() / thermoroll::scale_of(y.value);
+  return off.head(thermoroll::hottest + 1).maxCoeff();
+}
+
+CoupledSolution better(const Scene& scene, Formulation formulation, double tolerance) {
+  return thermoroll::solve_coupled(scene, formulation, tolerance,
+                                   {thermoroll::traction, scene.traction});
+}
+
+// Scenes of the ranges of @tbl:random-scenes, by a seed.
+class Scenes {
+ public:
+  explicit Scenes(unsigned seed) : random_(seed) {}
+  Scene next() {
+    const double f = log_uniform(0.05, 1), q = f * log_uniform(0.01, 0.999);
+    return {f, q, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+  }
+
+ private:
+  double log_uniform(double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(random_() >> 11) * 0x1p-53);
+  }
+  std::mt19937_64 random_;
+};
+
+std::string text(const Scene& x) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "f = " << x.friction << ", Q* = " << x.traction << ", Pe = " << x.peclet
+      << ", H = " << x.heating;
+  return out.str();
+}
+
+}  // namespace
+
+// By the interpolated limit or by rays, to the tenth of the tolerance that is promised; the
+// adaptive quadrature is good to 1e-9. The place is where the curve is flat.
+TEST(LeastModel, TemperatureOfTheClosedForm) {
+  for (const double peclet : {0.01, 1.0, 30.0, 1e3, 1e4, 1e6})
+    for (const double share : {0.02, 0.8, 0.99}) {
+      const Scene scene{0.6, 0.6 * share, peclet, 0};
+      const thermoroll::HeatFlux flux =
+          thermoroll::carter_flux(thermoroll::carter(0.6, scene.traction));
+      const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
+      for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        SCOPED_TRACE(text(scene) + ", tolerance " + std::to_string(tolerance));
+        const CoupledSolution x = thermoroll::closed_form(scene, Formulation::corrected, tolerance,
+                                                          {thermoroll::traction, scene.traction});
+        EXPECT_TRUE(close(x.value(thermoroll::hottest) / peak.temperature.value, 1,
+                          0.1 * tolerance + 2e-9));
+        EXPECT_TRUE(close(x.value(thermoroll::hottest_at), peak.at,
+                          x.error(thermoroll::hottest_at) + peak.at_error));
+      }
+    }
+}
+
+// Ten times less heat, a hundred times less error; the third order is at most the heating, and the
+// coupled solution is good to 1e-10, next to errors of 1e-6 and more.
+TEST(LeastModel, FirstOrderIsOfSecondOrder) {
+  for (const Formulation formulation : both)
+    for (const double peclet : {1.0, 100.0, 4360.0}) {
+      double error[2];
+      for (const bool less : {false, true}) {
+        const Scene scene{0.6, 0.4, peclet, less ? 0.01 : 0.1};
+        const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-10,
+                                                          {thermoroll::traction, scene.traction});
+        error[less] = apart(x, better(scene, formulation, 1e-10));
+      }
+      EXPECT_GT(error[0], 1e-5) << "or it proves nothing";
+      EXPECT_TRUE(close(error[0] / error[1], 100, 30)) << peclet;
+    }
+}
+
+// Without heat the two lower rungs are the same, and the coupled solution is Carter's.
+TEST(LeastModel, WithoutHeatAllRungsAgree) {
+  for (const double share : {0.01, 0.5, 0.99}) {
+    const Scene scene{0.6, 0.6 * share, 100, 0};
+    const Given given{thermoroll::traction, scene.traction};
+    const CoupledSolution exact = better(scene, Formulation::corrected, 1e-9);
+    EXPECT_LT(apart(thermoroll::closed_form(scene, Formulation::corrected, 1e-9, given), exact),
+              1e-9);
+    EXPECT_LT(apart(thermoroll::first_order(scene, Formulation::corrected, 1e-9, given), exact),
+              1e-9);
+    EXPECT_EQ(thermoroll::least_model(scene, Formulation::corrected, 1e-9, given).model,
+              Model::closed_form);
+  }
+}
+
+// What both lower rungs say of their own error covers it, in every scene in which they are of use.
+TEST(LeastModel, FirstOrderErrorIsHonest) {
+  Scenes scenes(2002);
+  int used[2] = {0, 0};
+  for (int i = 0; i < 60 * thorough; ++i) {
+    const Scene scene = scenes.next();
+    const Formulation formulation = both[i % 2];
+    const Given given{thermoroll::traction, scene.traction};
+    const CoupledSolution rungs[] = {thermoroll::closed_form(scene, formulation, 1e-7, given),
+                                     thermoroll::first_order(scene, formulation, 1e-7, given)};
+    if (rungs[1].error(thermoroll::load_ratio) > 0.1) continue;
+    const CoupledSolution exact = better(scene, formulation, 1e-8);
+    for (const int k : {0, 1}) {
+      ++used[k];
+      const double off = ((rungs[k].value - exact.value).abs() / (rungs[k].error + exact.error))
+                             .head(thermoroll::hottest + 1)
+                             .maxCoeff();
+      EXPECT_LE(off, 1) << "rung " << k << ": " << text(scene);
+    }
+  }
+  EXPECT_GT(used[0], 40 * thorough);
+}
+
+// The true error meets the tolerance, by a coupled solution ten times better.
+TEST(LeastModel, MeetsEveryTolerance) {
+  Scenes scenes(1);
+  int compared = 0;
+  for (int i = 0; i < 90 * thorough; ++i) {
+    const Scene scene = scenes.next();
+    const Formulation formulation = both[i % 2];
+    const double tolerance = i % 3 == 0 ? 1e-2 : i % 3 == 1 ? 1e-3 : 1e-6;
+    try {
+      const Answer x = thermoroll::least_model(scene, formulation, tolerance,
+                                               {thermoroll::traction, scene.traction});
+      EXPECT_LE(x.solution.error(thermoroll::load_ratio), tolerance) << text(scene);
+      EXPECT_LE(apart(x.solution, better(scene, formulation, tolerance / 10)), 1.1 * tolerance)
+          << text(scene) << ": " << x.reason;
+      ++compared;
+    } catch (const std::runtime_error&) {  // refused by name
+    }
+  }
+  EXPECT_GT(compared, 85 * thorough);
+}
+
+// The paper's scene, and that more heat or a smaller tolerance never takes a lesser model.
+TEST(LeastModel, TakesTheRungsInTurn) {
+  const Given given{thermoroll::traction, 0.5};
+  const auto model = [&](double heating, double tolerance) {
+    return thermoroll::least_model({0.6, 0.5, 4360, heating}, Formulation::corrected, tolerance,
+                                   given)
+        .model;
+  };
+  EXPECT_EQ(model(0.0175, 1e-2), Model::closed_form);
+  EXPECT_EQ(model(0.0175, 1e-3), Model::first_order);
+  EXPECT_EQ(model(0.0175, 1e-6), Model::coupled);
+  for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
+    Model last = Model::closed_form;
+    for (double heating = 1e-8; heating < 3; heating *= 1.5) {
+      const Model now = model(heating, tolerance);
+      EXPECT_GE(now, last) << heating << ", " << tolerance;
+      EXPECT_LE(now, model(heating, tolerance / 10)) << heating << ", " << tolerance;
+      last = now;
+    }
+    EXPECT_EQ(last, Model::coupled);
+  }
+}
+
+// A creep or a border in place of the traction is met exactly, and leads back to the traction.
+TEST(LeastModel, TakesCreepOrBorder) {
+  for (const double heating : {1e-4, 0.0175, 0.3})
+    for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
+      const Scene scene{0.6, 0.5, 100, heating};
+      const CoupledSolution exact = better(scene, Formulation::corrected, 1e-8);
+      for (const auto quantity : {thermoroll::creep, thermoroll::border}) {
+        const Given given{quantity, exact.value(quantity)};
+        const Answer x = thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
+        EXPECT_EQ(x.solution.value(quantity), given.value);
+        EXPECT_LE(apart(x.solution, exact), 1.1 * tolerance) << heating << ", " << quantity;
+      }
+    }
+}
+
+TEST(LeastModel, RefusesWhatItCannotSolve) {
+  const Scene scene{0.6, 0.5, 100, 0.1};
+  const auto solve = [&](double tolerance, const Given& given) {
+    thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
+  };
+  EXPECT_THROW(solve(1e-12, {thermoroll::traction, 0.5}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {thermoroll::traction, 0.6}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {thermoroll::creep, -0.1}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {thermoroll::heat, 0.1}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {thermoroll::creep, 0.5}), std::runtime_error);  // all of it slips
+}
