@@ -182,7 +182,8 @@ double distance_of_share(double t) {
 
 bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.what == y.what && std::abs(x.from - y.from) + std::abs(x.to - y.to) < 0.1;
+    const double moved = std::abs(x.from - y.from) + std::abs(x.to - y.to);
+    return x.what == y.what && moved < 0.1 * (x.to - x.from);
   });
 }
 
@@ -220,7 +221,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   check_given(scene, tolerance, given);
   Values slope, change = Values::Zero();
   Level level;
-  for (int n = 10; n <= 40 && level.newton_steps == 0; n *= 2)
+  for (int n = 10; n <= 40 && (level.newton_steps == 0 || !level.violations.empty()); n *= 2)
     level = find_border(scene, formulation, n, given, slope);
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
@@ -243,7 +244,8 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     }
     const Values before = value, scale = scale_of(level.value);
     value = corrected();
-    change = ((value - before).abs() / scale).max(0.02 * change);
+    const Values moved = (value - before).abs().max((value - level.value).abs());
+    change = (moved / scale).max(0.02 * change);
     const double error = estimate(change, tail(level.h), tail(last.h), n);
     x = {value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
     x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));

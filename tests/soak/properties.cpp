@@ -4,17 +4,18 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <random>
 #include <sstream>
 #include <stdexcept>
 #include <typeinfo>
 #include <vector>
 
-#include <gsl/gsl_integration.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "kernels.hpp"
 #include "numbers.hpp"
+#include "operators.hpp"
 #include "quadrature.hpp"
 
 using namespace thermoroll;
@@ -85,7 +86,9 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   record.within("the eccentricity belongs to gamma0",
                 found.eccentricity - pi * v(gamma0) / (2 * v(load_ratio)),
                 1e-15 * std::abs(found.eccentricity) + 1e-300);
-  record.require("the work is bounded", found.unknowns <= 2000 && found.newton_steps <= 100);
+  record.require("a solution is a contact", found.violations.empty());
+  record.require("the work is bounded",
+                 found.unknowns <= most_unknowns && found.newton_steps <= 100);
 }
 
 bool same_bits(const Values& a, const Values& b) {
@@ -110,56 +113,52 @@ void examine_again(const Record& record, const Sample& x, const CoupledSolution&
   }
 }
 
-/// Gauss-Legendre nodes and weights on (-1, 1).
-struct Rule {
-  explicit Rule(Index n) : x(n), w(n) {
-    const auto size = static_cast<std::size_t>(n);
-    gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);
-    for (Index i = 0; i < n; ++i)
-      gsl_integration_glfixed_point(-1, 1, static_cast<std::size_t>(i), &x(i), &w(i), table);
-    gsl_integration_glfixed_table_free(table);
-  }
-  ArrayXd x, w;
+/// Points of one zone, whose distances from its two ends keep their digits.
+struct Places {
+  ArrayXd ds, from_border, from_end;  // weights; distances from c0 and from -1 or 1
 };
+
+/// q^2 (3 - 2q), its derivative by q, and what is left of 1, for q and 1 - q.
+Places cubic(const ArrayXd& q, const ArrayXd& rest) {
+  return {6 * q * rest, q.square() * (1 + 2 * rest), rest.square() * (1 + 2 * q)};
+}
+
+Places scaled(const Places& x, double length, const ArrayXd& weights) {
+  return {length * x.ds * weights, length * x.from_border, length * x.from_end};
+}
+
+/// The places of @eq:angles for the nodes y of a rule.
+Places slip_places(double length, const Rule& rule) {
+  const auto rise = [](const ArrayXd& eta) { return eta * (3 + (12 - 4 * eta) * eta) / 22; };
+  const ArrayXd du = (15 - 12 * rule.x.square()) / 22 * rule.w;
+  return scaled(cubic(rise(1 + rule.x), rise(1 - rule.x)), length, du);
+}
+
+/// The same on the stick zone, q = eps (e^(k rho) - 1) with rho = (1 + x) / 2.
+Places stick_places(double length, double slip, const Rule& rule) {
+  const double eps = std::min(1.0, std::sqrt(slip / length)), k = std::log1p(1 / eps);
+  const ArrayXd grown = eps * (k / 2 * (1 + rule.x)).exp();
+  const ArrayXd rest =
+      -(1 + eps) * (k / 2 * (rule.x - 1)).unaryExpr([](double x) { return std::expm1(x); });
+  return scaled(cubic(grown - eps, rest), length, k / 2 * grown * rule.w);
+}
 
 /// The matrix that takes values at the nodes of a rule to those of their polynomial at points.
 Eigen::MatrixXd interpolation(const Rule& from, const ArrayXd& to) {
-  ArrayXd weights = ((1 - from.x.square()) * from.w).sqrt();  // barycentric
-  for (Index i = 1; i < weights.size(); i += 2) weights(i) *= -1;
-  Eigen::MatrixXd matrix(to.size(), weights.size());
-  for (Index i = 0; i < to.size(); ++i) {
-    const ArrayXd terms = weights / (to(i) - from.x);
-    matrix.row(i) = terms.isFinite().all() ? (terms / terms.sum()).eval()
-                                           : (to(i) == from.x).cast<double>().eval();
-  }
-  return matrix;
+  return legendre(to, from.x.size()) * to_legendre(from);
 }
 
-/// One zone of the contact on many more points than a profile has. With the angles of @eq:angles,
-/// the nodes of a profile are Gauss-Legendre nodes x in phi on the slip zone, and on the stick zone
-/// in the logarithm that stretches theta.
+/// A zone at the nodes of a profile and at many more points; the values of a smooth function at
+/// the former, from the border on, give those at the latter.
 struct Zone {
-  ArrayXd ds, s, from_border, from_end;  // weights, positions, distances from c0 and from -1 or 1
-  Eigen::MatrixXd values;                // from the nodes of the profile, s ascending
+  Places nodes, fine;
+  Eigen::MatrixXd values;
 };
 
-Zone slip_zone(double c0, Index n) {
-  const Rule nodes(n), fine(200 + 2 * n);
-  const ArrayXd half = pi / 4 * (1 + fine.x), sine = half.sin(), cosine = half.cos();
-  const double width = 1 - c0;
-  return {fine.w * pi / 2 * width * sine * cosine, c0 + width * sine.square(),
-          width * sine.square(), width * cosine.square(), interpolation(nodes, fine.x)};
-}
-
-Zone stick_zone(double c0, Index m) {
-  const Rule nodes(m), fine(200 + 2 * m);
-  const double width = 1 + c0, scale = 3 * std::sqrt((1 - c0) / width);
-  const double stretch = std::log1p(pi / scale);
-  const ArrayXd grown = (stretch / 2 * (1 + fine.x)).exp(), half = scale / 2 * (grown - 1);
-  const ArrayXd sine = half.sin(), cosine = half.cos();
-  return {fine.w * stretch / 2 * scale * grown * width * sine * cosine, c0 - width * sine.square(),
-          width * sine.square(), width * cosine.square(),
-          interpolation(nodes, fine.x).rowwise().reverse()};
+Zone zone(Index n, const std::function<Places(const Rule&)>& places) {
+  const Rule &nodes = gauss_legendre(static_cast<int>(n)),
+             &fine = gauss_legendre(static_cast<int>(200 + 2 * n));
+  return {places(nodes), places(fine), interpolation(nodes, fine.x)};
 }
 
 /// The tractions of a profile on many points, from the smooth factors of their roots.
@@ -167,36 +166,35 @@ struct Tractions {
   Zone stick, slip;
   ArrayXd pressure, pull, flux;  // on the stick zone, then on the slip zone; flux on the latter
 };
-
 Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Profile& y) {
-  const double c0 = found.value(border), f = x.scene.friction;
+  const double slip = found.value(slip_length), c0 = found.value(border), f = x.scene.friction;
   const Index n = found.unknowns, m = y.s.size() - n;
-  Tractions z{stick_zone(c0, m), slip_zone(c0, n), {}, {}, {}};
-  const ArrayXd s = y.s.head(m), t = y.s.tail(n), root = ((1 - s) * (1 + s)).sqrt();
-  const ArrayXd corrective =
-      (f * y.pressure.head(m) - y.traction.head(m)) / ((1 + s) * (c0 - s)).sqrt();
-  const Eigen::VectorXd on_stick = y.pressure.head(m) / root;
-  // t and 1 - t have lost digits at the nodes next to the ends, where the profile had them.
-  const ArrayXd half = pi / 4 * (1 + Rule(n).x), right = (1 - c0) * half.cos().square();
-  const Eigen::VectorXd on_slip = y.pressure.tail(n) / (right * (1 + t)).sqrt();
-  const Eigen::VectorXd h = y.heat_flux.tail(n) / (2 * half).sin();
-  const ArrayXd p_stick =
-      (z.stick.values * on_stick).array() * (z.stick.from_end * (2 - z.stick.from_end)).sqrt();
+  Tractions z{zone(m, [&](const Rule& r) { return stick_places(1 + c0, slip, r); }),
+              zone(n, [&](const Rule& r) { return slip_places(slip, r); }),
+              {},
+              {},
+              {}};
+  const auto root = [](const Places& at) { return (at.from_end * (2 - at.from_end)).sqrt(); };
+  const auto between = [](const Places& at) { return (at.from_end * at.from_border).sqrt(); };
+  const auto on_fine = [](const Zone& of, const ArrayXd& factor) {
+    return (of.values * factor.matrix()).array();
+  };
+  const ArrayXd p = y.pressure.head(m).reverse(), q = y.traction.head(m).reverse();
+  const ArrayXd p_stick = on_fine(z.stick, p / root(z.stick.nodes)) * root(z.stick.fine);
   const ArrayXd p_slip =
-      (z.slip.values * on_slip).array() * (z.slip.from_end * (2 - z.slip.from_end)).sqrt();
+      on_fine(z.slip, y.pressure.tail(n) / root(z.slip.nodes)) * root(z.slip.fine);
+  const ArrayXd short_of = on_fine(z.stick, (f * p - q) / between(z.stick.nodes));
   z.pressure.resize(p_stick.size() + p_slip.size());
   z.pressure << p_stick, p_slip;
   z.pull = f * z.pressure;
-  z.pull.head(p_stick.size()) -= (z.stick.values * corrective.matrix()).array() *
-                                 (z.stick.from_end * z.stick.from_border).sqrt();
-  z.flux =
-      (z.slip.values * h).array() * 2 * (z.slip.from_border * z.slip.from_end).sqrt() / (1 - c0);
+  z.pull.head(p_stick.size()) -= short_of * between(z.stick.fine);
+  z.flux = on_fine(z.slip, y.heat_flux.tail(n) / between(z.slip.nodes)) * between(z.slip.fine);
   return z;
 }
 
 double integral(const Tractions& z, const ArrayXd& values) {
-  const Index m = z.stick.ds.size();
-  return (z.stick.ds * values.head(m)).sum() + (z.slip.ds * values.tail(z.slip.ds.size())).sum();
+  const ArrayXd &stick = z.stick.fine.ds, &slip = z.slip.fine.ds;
+  return (stick * values.head(stick.size())).sum() + (slip * values.tail(slip.size())).sum();
 }
 
 /// The tractions have their signs and carry the loads.
@@ -207,16 +205,18 @@ void examine_profile(const Record& record, const Sample& x, const CoupledSolutio
                                             y.temperature.allFinite());
   record.require("pressure and slip are positive",
                  (y.pressure > 0).all() && (y.slip.tail(found.unknowns) > 0).all());
+  // The profile has the border that is reported and the h of the last grid, whose border was
+  // another by what the last change was of. A fifth of a change is counted as error, so this is at
+  // most five errors. The pressure carries the load for any h. What depends on h moves with it less
+  // than a result of order one with the border: Carter's heat over (1 - c0)^2 by half of it.
   const Values &v = found.value, &e = found.error;
-  record.within("the pressure carries the load", integral(z, z.pressure) - 1, x.tolerance);
+  record.within("the pressure carries the load", integral(z, z.pressure) - 1, e(load_ratio));
   record.within("the traction carries the pull", integral(z, z.pull) - x.scene.traction,
-                x.tolerance);
-  // The heat is corrected to first order for the miss in the given traction, the flux is not; the
-  // miss is a few errors of the grid before.
-  record.within("the flux carries the heat", (z.slip.ds * z.flux).sum() - v(heat),
-                10 * x.tolerance * v(heat));
+                5 * e(traction));
+  record.within("the flux carries the heat", (z.slip.fine.ds * z.flux).sum() - v(heat),
+                5 * e(heat));
   record.within("no point is hotter than the hottest",
-                std::max(0.0, y.temperature.maxCoeff() - v(hottest)), 10 * e(hottest));
+                std::max(0.0, y.temperature.maxCoeff() - v(hottest)), 5 * e(hottest));
 }
 
 /// The strain by heat at s, without its factor f Pe H / pi: the integral of N2 with the flux.
@@ -250,11 +250,11 @@ void examine_energy(const Record& record, const Sample& x, const CoupledSolution
     return record.beside("the energy", words_of(error.what()));
   }
   ArrayXd everywhere(z.pull.size());
-  everywhere << z.stick.values * strains.head(m), z.slip.values * strains.tail(n);
+  everywhere << z.stick.values * strains.head(m).reverse(), z.slip.values * strains.tail(n);
   const Values &v = found.value, &e = found.error;
   const double lost = f * peclet * heating / pi * integral(z, z.pull * everywhere);
   const double allowed = f * e(heat) + q * e(creep) + std::abs(lost) * e(heat) / v(heat);
-  record.within("the energy balances", f * v(heat) - v(creep) * q + lost, 10 * allowed);
+  record.within("the energy balances", f * v(heat) - v(creep) * q + lost, 5 * allowed);
 }
 
 }  // namespace
