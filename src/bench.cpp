@@ -2,12 +2,13 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
 #include "comparison.hpp"
 #include "paper_case.hpp"
-#include "temperature.hpp"
+#include "surface.hpp"
 
 using namespace thermoroll;
 
@@ -28,11 +29,19 @@ void name_runs() {
             ->Unit(benchmark::kMicrosecond);
 }
 
-void temperature_curve(benchmark::State& state, int points) {
-  const HeatFlux flux = carter_flux(paper::closed_form(0.5));
-  for (auto _ : state)
-    for (int i = 0; i < points; ++i)
-      benchmark::DoNotOptimize(temperature(flux, paper::peclet, -1 + 4.0 * i / (points - 1)));
+void temperature_curve(benchmark::State& state, const SmoothFlux& flux) {
+  const Eigen::ArrayXd s = Eigen::ArrayXd::LinSpaced(400, -1, 3);
+  for (auto _ : state) benchmark::DoNotOptimize(surface_curve(flux, paper::peclet, s, 5e-9));
+}
+
+void name_curves() {
+  const Scene steel{paper::friction, 0.5, paper::peclet, paper::heating};
+  const SmoothFlux closed = smooth_flux(paper::closed_form(0.5));
+  const SmoothFlux coupled =
+      smooth_flux(solve_coupled(steel, Formulation::corrected, 1e-8, {traction, 0.5}));
+  for (const auto& [name, flux] : {std::pair{"temperature_curve/points:400", closed},
+                                   {"temperature_curve_coupled/points:400", coupled}})
+    benchmark::RegisterBenchmark(name, temperature_curve, flux)->Unit(benchmark::kMicrosecond);
 }
 
 void carters_problem(benchmark::State& state) {
@@ -46,8 +55,7 @@ void carters_problem(benchmark::State& state) {
 
 int main(int argc, char** argv) {
   name_runs();
-  benchmark::RegisterBenchmark("temperature_curve/points:400", temperature_curve, 400)
-      ->Unit(benchmark::kMicrosecond);
+  name_curves();
   benchmark::RegisterBenchmark("carter", carters_problem)->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -10,6 +10,7 @@
 
 #include "numbers.hpp"
 #include "paper_case.hpp"
+#include "surface.hpp"
 #include "temperature.hpp"
 #include "thrifty_scheme.hpp"
 
@@ -44,8 +45,8 @@ Found without_heat(const Scene& scene) {
 }
 
 Found temperature_without_heat(const Scene& scene) {
-  const HeatFlux flux = carter_flux(carter(scene.friction, scene.traction));
-  return {nan, max_temperature(flux, scene.peclet).temperature.value, nan};
+  const SmoothFlux flux = smooth_flux(carter(scene.friction, scene.traction));
+  return {nan, hottest_point(flux, scene.peclet, 1e-9).temperature.value, nan};
 }
 
 }  // namespace

@@ -172,14 +172,6 @@ double estimate(const Values& change, double now, double before, int n) {
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 
-/// The distance 1 + y at which t is the given share, in [0, 1/2].
-double distance_of_share(double t) {
-  const double phi = 2 * std::asin(std::sqrt(t));
-  const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
-  const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
-  return eta - (rise(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));
-}
-
 bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     const double moved = std::abs(x.from - y.from) + std::abs(x.to - y.to);

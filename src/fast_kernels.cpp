@@ -80,6 +80,7 @@ SlopeAndStrain fast_slope_and_strain(double zeta) {
 }
 
 double fast_temperature(double zeta) {
+  if (zeta > 372) return 0;                              // as exp(-2 zeta)
   const double m = fast_kernels(std::abs(zeta)).m_down;  // e^x K_0(x)
   return zeta > 0 ? m * std::exp(-2 * zeta) : m;
 }

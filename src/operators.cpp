@@ -85,8 +85,11 @@ using Sums = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 
 struct Ray {
   RayArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
-  void resize(Index n) {
-    for (RayArray* x : {&y, &zeta, &heat, &by_h, &by_dh}) x->resize(n);
+  /// Keep the first nodes, eight by eight, up to where zeta is by so much beyond the first.
+  void cut(double reach) {
+    const Index heard = ((zeta < zeta[0] + reach).count() + 7) / 8 * 8;
+    for (RayArray* x : {&y, &zeta, &heat, &by_h, &by_dh})
+      x->conservativeResize(std::min(heard, y.size()));
   }
 };
 
@@ -98,19 +101,23 @@ void cast(Ray& ray, double peclet, double gap, double left, double right, const 
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
   const double k = std::log1p(right / delta);
   const RayArray power = k * rule.cube, grown = power.exp();
-  ray.resize(power.size());
-  for (Index i = 0; i < power.size(); ++i) {
-    const double step = delta * (power[i] < 0.1 ? std::expm1(power[i]) : grown[i] - 1);
-    const double dy = 1.5 * rule.w[i] * rule.rho[i] * rule.rho[i] * k * delta * grown[i];
-    const Place at(left + step, right - step);
-    ray.y[i] = at.y;
-    ray.zeta[i] = peclet * (apart(from, at, step) + gap);
-    const double omega = at.omega(), uv = at.u * at.v;
-    const double middle = at.v * at.v * (1 + 2 * at.u) - at.u * at.u * (1 + 2 * at.v);  // 1 - 2t
-    ray.heat[i] = 6 * uv * uv * omega * at.du * dy;
-    ray.by_h[i] = 3 * middle / omega * at.du * dy;
-    ray.by_dh[i] = uv * omega * dy;
-  }
+  RayArray step = delta * (grown - 1);
+  for (Index i = 0; i < step.size() && power[i] < 0.1; ++i) step[i] = delta * std::expm1(power[i]);
+  const RayArray dy = 1.5 * k * delta * rule.w * rule.rho.square() * grown;
+  ray.y = from.y + step;
+  const RayArray eta = left + step, rest = right - step;
+  const RayArray u = rise(eta), v = rise(rest), du = (3 + 12 * eta * rest) / 22;
+  const RayArray slope = (15 - 4 * (from.y * (from.y + ray.y) + ray.y.square())) / 22;
+  const auto near_left = u + from.u < 1;
+  const RayArray x = near_left.select(u + from.u, v + from.v);
+  const RayArray product = near_left.select(u * from.u, v * from.v);
+  const RayArray apart = step * slope * (3 * x - 2 * (x.square() - product));
+  ray.zeta = peclet * (apart + gap);
+  const RayArray omega = ((1 + 2 * u) * (1 + 2 * v)).sqrt(), uv = u * v;
+  const RayArray middle = v.square() * (1 + 2 * u) - u.square() * (1 + 2 * v);  // 1 - 2t
+  ray.by_dh = uv * omega * dy;
+  ray.heat = 6 * uv * du * ray.by_dh;
+  ray.by_h = 3 * middle / omega * du * dy;
 }
 
 /// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored ray.
@@ -151,7 +158,40 @@ RowVectorXd mirrored(RowVectorXd sums) {
   return sums;
 }
 
+/// The heat times h at the nodes of a ray to the right (side 1) or, mirrored, to the left (-1);
+/// eight nodes at a time, by Clenshaw's recurrence.
+RayArray heat_on(const Ray& ray, const VectorXd& h, double side) {
+  using Eight = Eigen::Array<double, 8, 1>;
+  RayArray heat(ray.y.size());
+  for (Index i = 0; i < heat.size(); i += 8) {
+    const Eight y = side * ray.y.segment<8>(i);
+    Eight now = Eight::Zero(), before = now;
+    for (Index l = h.size() - 1; l >= 0; --l) {
+      const double down = 1 / static_cast<double>(l + 1), next = 1 / static_cast<double>(l + 2);
+      const Eight sum = h(l) + (2 - down) * y * now - (1 - next) * before;
+      before = now, now = sum;
+    }
+    heat.segment<8>(i) = ray.heat.segment<8>(i) * now;
+  }
+  return heat;
+}
+
+/// The sum of M times the heat, at a distance from the start of the ray.
+double felt(const Ray& ray, const RayArray& heat, double side, double distance) {
+  double sum = 0;
+  for (Index i = 0; i < ray.y.size(); ++i)
+    sum += fast_temperature(side * (ray.zeta[i] + distance)) * heat[i];
+  return sum;
+}
+
 }  // namespace
+
+double distance_of_share(double t) {
+  const double phi = 2 * std::asin(std::sqrt(t));
+  const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
+  const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
+  return eta - (rise(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));
+}
 
 ArrayXd slope_at_nodes(const Rule& rule, const ArrayXd& values) {
   const VectorXd coefficients = to_legendre(rule) * values.matrix();
@@ -232,6 +272,7 @@ Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
     cast(ray, peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
+    if (side > 0) ray.cut(20);
     RayArray value = RayArray::Zero(ray.y.size()), slope = value, now = value + 1, before = value;
     RayArray dnow = value, dbefore = value;
     for (Index l = 0; l < h.size(); ++l) {
@@ -296,6 +337,36 @@ Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, con
   slip << v.reverse(), 2 * friction / pi + (x.v * h).array();
   s << z.r.reverse(), z.s;
   return {friction, z.border.c0(), kappa, s, pressure, slip};
+}
+
+ArrayXd surface_temperature(const Border& border, double peclet, const VectorXd& h,
+                            const ArrayXd& s, const Rule& rule) {
+  const double slip = border.slip;
+  Ray first, last, ray;
+  cast(first, peclet * slip, 0, 0, 2, rule), cast(last, peclet * slip, 0, 0, 2, rule);
+  first.cut(20);
+  const RayArray at_first = heat_on(first, h, 1), at_last = heat_on(last, h, -1);
+  ArrayXd sums(s.size());
+  for (Index i = 0; i < s.size(); ++i) {
+    const double right = 1 - s(i);
+    const double left = slip < border.stick ? slip - right : 1 + s(i) - border.stick;
+    if (left <= 0) {
+      sums(i) = felt(first, at_first, 1, -peclet * left);
+    } else if (right <= 0) {
+      sums(i) = felt(last, at_last, -1, -peclet * right);
+    } else {
+      const double share = std::min({left, right, slip / 2}) / slip;
+      const double near = distance_of_share(share), far = 2 - near;
+      const auto from = [&](double behind, double ahead, double side) {
+        cast(ray, peclet * slip, 0, behind, ahead, rule);
+        if (side > 0) ray.cut(20);
+        return felt(ray, heat_on(ray, h, side), side, 0);
+      };
+      sums(i) = left < right ? from(near, far, 1) + from(far, near, -1)
+                             : from(far, near, 1) + from(near, far, -1);
+    }
+  }
+  return slip * slip / pi * sums;
 }
 
 }  // namespace thermoroll

@@ -51,7 +51,10 @@ struct Border {
 };
 
 /// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].
-inline double rise(double eta) { return eta * (3 + (12 - 4 * eta) * eta) / 22; }
+template <class Distance>
+auto rise(const Distance& eta) {
+  return eta * (3 + (12 - 4 * eta) * eta) / 22;
+}
 
 /// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
 struct Place {
@@ -69,6 +72,9 @@ inline double apart(const Place& a, const Place& b, double step) {
   const double x = left ? a.u : a.v, z = left ? b.u : b.v;
   return du * (3 * (x + z) - 2 * (x * x + x * z + z * z));
 }
+
+/// The distance 1 + y at which t is the given share, in [0, 1/2].
+double distance_of_share(double t);
 
 /// The nodes of both zones.
 struct Zones {
@@ -123,6 +129,11 @@ struct Warmth {
 /// or, with left = 0, across a gap (in lengths of the slip zone).
 Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left, double right,
               double gap, const Rule& rule);
+
+/// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
+/// multiple of eight nodes.
+Eigen::ArrayXd surface_temperature(const Border& border, double peclet, const Eigen::VectorXd& h,
+                                   const Eigen::ArrayXd& s, const Rule& rule);
 
 /// The hottest point of the slip zone and T* there.
 struct Summit {

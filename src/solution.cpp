@@ -8,6 +8,7 @@
 
 #include "least_model.hpp"
 #include "quadrature.hpp"
+#include "surface.hpp"
 #include "temperature.hpp"
 
 namespace thermoroll {
@@ -67,7 +68,7 @@ Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& 
 
 Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {
   const Carter c = carter_given(scene.friction, given);
-  const Peak top = max_temperature(carter_flux(c), scene.peclet);
+  const Peak top = hottest_point(smooth_flux(c), scene.peclet, 1e-9);
   const Estimate t = top.temperature;
   const double heat = carter_heat(c), xi = c.creep, xi_error = 4 * epsilon * xi;
   const double q = scene.friction * c.slip_half_width * (1 + c.b);
@@ -119,14 +120,13 @@ Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
 Profile carter_profile(const Scene& scene, const Carter& c) {
   constexpr Eigen::Index zone = 100;  // intervals to each zone
   const Eigen::ArrayXd s = carter_points(c, zone);
-  const HeatFlux flux = carter_flux(c);
-  Profile x{s, s, s, s, s, s};
+  const SurfaceCurve surface = surface_curve(smooth_flux(c), scene.peclet, s, 1e-9);
+  Profile x{s, s, s, s, s, surface.temperature};
   for (Eigen::Index i = 0; i < s.size(); ++i) {
     x.pressure(i) = hertz_pressure(s(i));
     x.traction(i) = carter_traction(c, s(i));
     x.slip(i) = carter_slip(c, s(i));
     x.heat_flux(i) = x.slip(i) * x.pressure(i);
-    x.temperature(i) = temperature(flux, scene.peclet, s(i)).value;
   }
   return x;
 }
@@ -268,12 +268,23 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     return scheme_curve(x.scene, *scheme, at);
   }
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
-  const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(std::get<Carter>(x.found));
+  const Carter* closed = std::get_if<Carter>(&x.found);
   const double flux_error = coupled ? x.error->max_temperature : 0;
   Curve curve;
-  for (const double s : at) {
-    const Estimate t = temperature(flux, x.scene.peclet, s, depth);
-    curve.points.push_back({s, t.value, t.error + flux_error});
+  if (depth == 0) {
+    const auto points = static_cast<Eigen::Index>(at.size());
+    const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
+    const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
+    const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
+    const SurfaceCurve found = surface_curve(flux, x.scene.peclet, s, tolerance);
+    for (Eigen::Index i = 0; i < s.size(); ++i)
+      curve.points.push_back({s(i), found.temperature(i), found.error + flux_error});
+  } else {
+    const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
+    for (const double s : at) {
+      const Estimate t = temperature(flux, x.scene.peclet, s, depth);
+      curve.points.push_back({s, t.value, t.error + flux_error});
+    }
   }
   return curve;
 }

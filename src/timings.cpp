@@ -60,11 +60,13 @@ std::vector<Bar> bars(const Times& times) {
   const double scheme = of("gauss_chebyshev/n:200" + steel);
   const double scheme_to_2 = of(accurate_enough(regimes[1], "gauss_chebyshev", 0.02));
   const double coupled_to_2 = of(accurate_enough(regimes[1], "coupled", 0.02));
-  const double curve = of("temperature_curve/points:400");
   return {{"6", "coupled to $10^{-6}$, steel", 200, scheme, of("coupled/tol:1e-06" + steel)},
           {"8", "coupled to $10^{-8}$, steel", 50, scheme, of("coupled/tol:1e-08" + steel)},
           {"load", "both with $\\kappa-1$ to 2 %, slow", 2000, scheme_to_2, coupled_to_2},
-          {"curve", "temperature at 400 points, steel", 50, scheme, curve}};
+          {"curve", "temperature at 400 points, closed form", 50, scheme,
+           of("temperature_curve/points:400")},
+          {"curve_coupled", "temperature at 400 points, coupled", 50, scheme,
+           of("temperature_curve_coupled/points:400")}};
 }
 
 void times_by_name(std::ostream& out, const Times& times) {
