@@ -11,7 +11,6 @@
 namespace thermoroll {
 
 using Eigen::ArrayXd;
-using Eigen::Infinity;
 using Eigen::VectorXd;
 
 Carter carter_given(double f, const Given& given) {

@@ -29,7 +29,7 @@ lint() {
 sources=("$@")
 lint "$together" || fail "see above"
 for file; do # what cannot be seen in files put together
-  sed -n 's/^using .*::\(.*\);$/\1/p' "$file" | while read -r name; do
+  sed -n 's/^using [A-Za-z_:]*::\([A-Za-z_0-9]*\);$/\1/p' "$file" | while read -r name; do
     [ "$(grep -cw "$name" "$file")" -gt 1 ] || fail "$file does not use $name"
   done
   [ -z "$(grep '^#include' "$file" | sort | uniq -d)" ] || fail "$file includes a header twice"
