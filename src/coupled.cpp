@@ -166,9 +166,10 @@ double tail(const VectorXd& h) {
 double estimate(const Values& change, double now, double before, int n) {
   double integrals = 0;
   for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
-  const double shrunk = std::clamp(now / before, 0.05, 0.2), size = n;
+  const double size = n, part = n > 128 ? 0.05 : 0.2;
+  const double shrunk = std::clamp(now / before, part / 4, part);
   const double unresolved = now > 1e-3 ? now : 10 * now / (size * size);
-  return std::max({unresolved, 0.2 * integrals, shrunk * change(hottest)}) +
+  return std::max({unresolved, part * integrals, shrunk * change(hottest)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 

@@ -35,11 +35,12 @@ Eigen::MatrixXd to_legendre(const Rule& rule);
 Eigen::ArrayXd slope_at_nodes(const Rule& rule, const Eigen::ArrayXd& values);
 
 /// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures.
+/// The fine grids are those of strong heating, which needs G and the rays as fine as h.
 struct Grid {
   explicit Grid(int n)
       : slip(gauss_legendre(n)),
-        stick(gauss_legendre(std::max(8, 3 * n / 4))),
-        ray(gauss_legendre(16 + n / 3)),
+        stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
+        ray(gauss_legendre(n > 64 ? n : 16 + n / 3)),
         fine(gauss_legendre(24 + n)) {}
   const Rule &slip, &stick, &ray, &fine;
 };
