@@ -82,26 +82,26 @@ struct Level {
 
 Level solve_level(const Scene& scene, Formulation formulation, int n, const Border& at,
                   const Level& from) {
-  const Grid grid(n);
-  const Zones z = zones(at, grid.slip, grid.stick);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, n, grid.ray);
+  const Rules rules(n);
+  const Zones z = zones(at, rules.slip, rules.stick);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
   const Inverses x = invert(z, sides, scene.friction);
   const double f = scene.friction;
   const ArrayXd sigma = at.stick + at.slip * z.t;  // 1 + s
-  const VectorXd carter = to_legendre(grid.slip) * (4 * f / (pi * pi) * sigma).matrix();
+  const VectorXd carter = to_legendre(rules.slip) * (4 * f / (pi * pi) * sigma).matrix();
   Level level;
   level.at = at, level.h = carter;
   if (from.newton_steps > 0) level.h.setZero(), level.h.head(from.h.size()) = from.h;
-  level.newton_steps = solve_flux(x, grid.slip, sigma, f, carter, level.h);
+  level.newton_steps = solve_flux(x, rules.slip, sigma, f, carter, level.h);
   const VectorXd& h = level.h;
   const Loads load = loads(z, sides, x, f, h);
-  const Summit summit = climb(at.slip, scene.peclet, h, from.summit, grid.fine);
+  const Summit summit = climb(at.slip, scene.peclet, h, from.summit, rules.fine);
   const Place top(1 + summit.y, 1 - summit.y);
-  const double heat = at.slip * at.slip * z.heat.dot(grid.slip.p * h);
+  const double heat = at.slip * at.slip * z.heat.dot(rules.slip.p * h);
   level.summit = summit.y;
   level.value << at.c0(), at.slip, load.traction, load.constant, load.constant - f * load.gamma0,
       load.kappa, load.gamma0, heat, summit.value, at.c0() + at.slip * top.t();
-  level.violations = violations(factors(grid, z, sides, x, f, h));
+  level.violations = violations(factors(rules, z, sides, x, f, h));
   return level;
 }
 
@@ -189,10 +189,10 @@ Values scale_of(const Values& v) {
 }
 
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
-  const Grid grid(n);
-  const Zones z = zones({1 - c0, 1 + c0}, grid.slip, grid.stick);
-  const Inverses x = invert(z, thermal_sides(scene, formulation, z, n, grid.ray), scene.friction);
-  const MatrixXd to = to_legendre(grid.slip);
+  const Rules rules(n);
+  const Zones z = zones({1 - c0, 1 + c0}, rules.slip, rules.stick);
+  const Inverses x = invert(z, thermal_sides(scene, formulation, z, n, rules.ray), scene.friction);
+  const MatrixXd to = to_legendre(rules.slip);
   return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
 }
 
@@ -258,25 +258,25 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
 }
 
 Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x) {
-  const Grid grid(x.unknowns);
+  const Rules rules(x.unknowns);
   const double slip = x.value(slip_length);
-  const Zones z = zones({slip, 1 + x.value(border)}, grid.slip, grid.stick);
+  const Zones z = zones({slip, 1 + x.value(border)}, rules.slip, rules.stick);
   const Index n = z.y.size(), m = z.d.size();
-  const ThermalSides sides = thermal_sides(scene, formulation, z, n, grid.ray);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
   const Inverses inverses = invert(z, sides, scene.friction);
-  const Factors at = factors(grid, z, sides, inverses, scene.friction, x.h);
+  const Factors at = factors(rules, z, sides, inverses, scene.friction, x.h);
   ArrayXd right(m + n);  // 1 - s, with its digits
   right << slip + z.d.reverse(), slip * (1 - z.t);
   Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, at.s};
   profile.traction = scene.friction * profile.pressure;
   profile.traction.head(m) -= ((2 - right.head(m)) * z.d.reverse()).sqrt() * at.slip.head(m);
   profile.heat_flux = profile.slip = ArrayXd::Zero(m + n);
-  profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.slip.p * x.h).array();
+  profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (rules.slip.p * x.h).array();
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
-    profile.temperature(i) = warmth(slip, scene.peclet, x.h, left, 2 - left, gap, grid.fine).value;
+    profile.temperature(i) = warmth(slip, scene.peclet, x.h, left, 2 - left, gap, rules.fine).value;
   }
   return profile;
 }

@@ -413,10 +413,10 @@ struct Trial {
 Trial try_ladder(const Sample& x, double tolerance) {
   const Given given{traction, x.scene.traction};
   try {
-    const Answer answer = least_model(x.scene, x.formulation, tolerance, given);
+    const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
     const CoupledSolution better = solve_coupled(x.scene, x.formulation, tolerance / 10, given);
-    const Values off = (answer.solution.value - better.value).abs() / scale_of(better.value);
-    return {static_cast<int>(answer.model), off.head(hottest + 1).maxCoeff() / tolerance};
+    const Values off = (choice.solution.value - better.value).abs() / scale_of(better.value);
+    return {static_cast<int>(choice.model), off.head(hottest + 1).maxCoeff() / tolerance};
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -460,7 +460,7 @@ void values_on_least_model(nlohmann::ordered_json& v) {
   const Given given{traction, 0.5};
   const auto model = [&](double tolerance) {
     const char* const names[] = {"closed form", "first order in the heat", "coupled"};
-    const Answer x = least_model(scene, Formulation::corrected, tolerance, given);
+    const Choice x = least_model(scene, Formulation::corrected, tolerance, given);
     return names[static_cast<int>(x.model)];
   };
   const double lambda = 2 * paper::closed_form(0.5).slip_half_width * paper::peclet;

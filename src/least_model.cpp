@@ -102,10 +102,10 @@ struct Correction {
 Correction correct(const Scene& scene, Formulation formulation, const Given& given, int n) {
   const double f = scene.friction;
   const Carter cold = carter_given(f, given);
-  const Grid grid(n);
-  const Zones z = zones(border_of(cold), grid.slip, grid.stick);
+  const Rules rules(n);
+  const Zones z = zones(border_of(cold), rules.slip, rules.stick);
   const VectorXd h0 = carter_h(z.border, f);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), grid.ray);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), rules.ray);
   const Inverses inverses = invert(z, sides, f);
   const Loads load = loads(z, sides, inverses, f, h0);
   Values change = Values::Zero();
@@ -124,7 +124,7 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   change(heat) = x.at.slip * x.at.slip * z.heat.dot(gained.matrix());
   x.most = gained.abs().maxCoeff() / flat.maxCoeff();
   x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
-  x.violations = violations(factors(grid, z, sides, inverses, f, h0));
+  x.violations = violations(factors(rules, z, sides, inverses, f, h0));
   x.cold = carter_values(cold), x.value = carter_values(c) + change;
   return x;
 }
@@ -182,7 +182,7 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
   return solution;
 }
 
-Answer least_model(const Scene& scene, Formulation formulation, double tolerance,
+Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
                    const Given& given) {
   check_given(scene, tolerance, given);
   const double guess = sticks_without_heat(scene.friction, given)

@@ -27,7 +27,7 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
 enum class Model { closed_form, first_order, coupled };
 
 /// A solution, the model that it is of, and why that one.
-struct Answer {
+struct Choice {
   Model model;
   std::string reason;
   CoupledSolution solution;
@@ -35,7 +35,7 @@ struct Answer {
 
 /// Solve by the least model whose estimated error meets the tolerance. Arguments, errors and
 /// refusals as for solve_coupled.
-Answer least_model(const Scene& scene, Formulation formulation, double tolerance,
+Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
                    const Given& given);
 
 }  // namespace thermoroll

@@ -310,14 +310,14 @@ Summit climb(double slip, double peclet, const VectorXd& h, double y, const Rule
 
 /// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
 /// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
-Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
+Factors factors(const Rules& rules, const Zones& z, const ThermalSides& sides, const Inverses& x,
                 double friction, const VectorXd& h) {
   const Index n = z.y.size(), m = z.d.size();
   const double kappa = 1 + x.kappa.dot(h);
   const ArrayXd f = sides.f * h, g = sides.g.bottomRows(m) * h;
-  const ArrayXd dx_dr = -grid.stick.w / (z.over_w * (z.d * (z.border.stick - z.d)).sqrt());
-  const ArrayXd df = dx_dr * slope_at_nodes(grid.stick, f.tail(m));
-  const ArrayXd dg = dx_dr * slope_at_nodes(grid.stick, g);
+  const ArrayXd dx_dr = -rules.stick.w / (z.over_w * (z.d * (z.border.stick - z.d)).sqrt());
+  const ArrayXd df = dx_dr * slope_at_nodes(rules.stick, f.tail(m));
+  const ArrayXd dg = dx_dr * slope_at_nodes(rules.stick, g);
   ArrayXd from_border(m + n), pressure(m + n), slip(m + n), s(m + n);
   from_border << -z.d, z.border.slip * z.t;
   const ArrayXd over_root = z.over_root.array();

@@ -13,7 +13,7 @@
 /// The integral operators of the coupled problem on a grid, for the solvers.
 namespace thermoroll {
 
-constexpr int most_unknowns = 400;
+constexpr int most_unknowns = 480;
 
 /// Gauss-Legendre nodes x and weights w on (-1, 1), and the values p of P_0 ... P_{n-1} at them;
 /// for rays, rho = (1 + x) / 2 and its cube.
@@ -36,8 +36,8 @@ Eigen::ArrayXd slope_at_nodes(const Rule& rule, const Eigen::ArrayXd& values);
 
 /// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures.
 /// The fine grids are those of strong heating, which needs G and the rays as fine as h.
-struct Grid {
-  explicit Grid(int n)
+struct Rules {
+  explicit Rules(int n)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
         ray(gauss_legendre(n > 64 ? n : 16 + n / 3)),
@@ -118,7 +118,7 @@ Loads loads(const Zones& z, const ThermalSides& sides, const Inverses& x, double
             const Eigen::VectorXd& h);
 
 /// What the tractions are made of, on both zones (@sec:admissibility), for an h.
-Factors factors(const Grid& grid, const Zones& z, const ThermalSides& sides, const Inverses& x,
+Factors factors(const Rules& rules, const Zones& z, const ThermalSides& sides, const Inverses& x,
                 double friction, const Eigen::VectorXd& h);
 
 /// T* and dT*/ds.

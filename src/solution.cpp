@@ -43,7 +43,7 @@ std::string name_of(Model model) {
   return model == Model::first_order ? "first-order" : "coupled";
 }
 
-Answer answer(const Scene& scene, const Approach& a, const Given& given) {
+Choice choose(const Scene& scene, const Approach& a, const Given& given) {
   const std::string asked = "asked for";
   if (a.method == Method::coupled)
     return {Model::coupled, asked, solve_coupled(scene, a.formulation, a.tolerance, given)};
@@ -55,7 +55,7 @@ Answer answer(const Scene& scene, const Approach& a, const Given& given) {
 Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& given) {
   const double tolerance = approach.tolerance;
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
-  const auto [model, reason, x] = answer(scene, approach, given);
+  const auto [model, reason, x] = choose(scene, approach, given);
   const Values &v = x.value, &e = x.error;
   const double kappa = v(load_ratio);
   const double drift = pi / (2 * kappa) * (e(gamma0) + std::abs(v(gamma0)) / kappa * e(load_ratio));

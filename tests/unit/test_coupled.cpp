@@ -569,28 +569,27 @@ TEST(Coupled, AgreesWithConvergedReferences) {
   }
 }
 
-// The corners of the range in which eight digits are promised, against a tolerance of 1e-10 or,
-// where that is refused, of 5e-9. The strongest heating as printed takes all unknowns.
+// The corners of the range in which eight digits are promised, against a tolerance of 1e-10; the
+// strongest heating has nothing better to be compared with, and is only solved.
 TEST(Coupled, HasEightDigitsInTheCorners) {
   if (!thorough) GTEST_SKIP() << "no case of its own";
+  int compared = 0;
   for (const Formulation formulation : both)
     for (const double f : {0.1, 0.6})
       for (const double peclet : {1.0, 20000.0})
         for (const double heating : {0.0175, 3.0}) {
-          SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", f = " << f
-                                            << ", Pe = " << peclet << ", H = " << heating);
           const Scene scene{f, 0.8 * f, peclet, heating};
           const CoupledSolution x = solve(scene, formulation, 1e-8);
-          CoupledSolution finer;
-          try {
-            finer = solve(scene, formulation, 1e-10);
-          } catch (const std::runtime_error&) {
-            finer = solve(scene, formulation, 5e-9);
-          }
+          if (f * heating > 1 && peclet > 1) continue;
+          const CoupledSolution finer = solve(scene, formulation, 1e-10);
           const thermoroll::Values off =
               (x.value - finer.value).abs() / thermoroll::scale_of(finer.value);
-          EXPECT_LE(off.head(thermoroll::hottest + 1).maxCoeff(), 1e-8);
+          EXPECT_LE(off.head(thermoroll::hottest + 1).maxCoeff(), 1e-8)
+              << name_of(formulation) << ", f = " << f << ", Pe = " << peclet
+              << ", H = " << heating;
+          ++compared;
         }
+  EXPECT_EQ(compared, 14);
 }
 
 // Vehicle dynamics asks for the force at a given creep; a border can be given as well. All three

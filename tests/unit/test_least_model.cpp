@@ -15,7 +15,7 @@
 namespace {
 
 using reference::close;
-using thermoroll::Answer;
+using thermoroll::Choice;
 using thermoroll::CoupledSolution;
 using thermoroll::Formulation;
 using thermoroll::Given;
@@ -155,7 +155,7 @@ TEST(LeastModel, MeetsEveryTolerance) {
     const Formulation formulation = both[i % 2];
     const double tolerance = i % 3 == 0 ? 1e-2 : i % 3 == 1 ? 1e-3 : 1e-6;
     try {
-      const Answer x = thermoroll::least_model(scene, formulation, tolerance,
+      const Choice x = thermoroll::least_model(scene, formulation, tolerance,
                                                {thermoroll::traction, scene.traction});
       EXPECT_LE(x.solution.error(thermoroll::load_ratio), tolerance) << text(scene);
       EXPECT_LE(apart(x.solution, better(scene, formulation, tolerance / 10)), 1.1 * tolerance)
@@ -198,7 +198,7 @@ TEST(LeastModel, TakesCreepOrBorder) {
       const CoupledSolution exact = better(scene, Formulation::corrected, 1e-8);
       for (const auto quantity : {thermoroll::creep, thermoroll::border}) {
         const Given given{quantity, exact.value(quantity)};
-        const Answer x = thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
+        const Choice x = thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
         EXPECT_EQ(x.solution.value(quantity), given.value);
         EXPECT_LE(apart(x.solution, exact), 1.1 * tolerance) << heating << ", " << quantity;
       }
