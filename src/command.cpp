@@ -58,7 +58,7 @@ Format read_format(const std::string& name) {
 }
 
 void conclude(const Solution& x) {
-  require_converged(x);
+  require_contact(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
   if (x.approach.method == Method::gauss_chebyshev && apart > 1)
@@ -173,7 +173,8 @@ constexpr const char* program_footer = R"(Examples:
 
 Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not be written);
 2 refused (options, numbers or files that make no sense); 3 an iteration did not converge;
-4 a sweep is complete, but some of its rows have an error.)";
+4 a sweep is complete, but some of its rows have an error; 5 a solution was found, but it is no
+contact: what it violates, and where, is in the result.)";
 
 void add_format(CLI::App& command, Options& o) {
   command.add_option("--format", o.format, "format of the result, text unless given")

@@ -10,6 +10,7 @@ namespace thermoroll {
 int status_of(const std::exception& error) {
   if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr) return 2;
   if (dynamic_cast<const NotConverged*>(&error) != nullptr) return 3;
+  if (dynamic_cast<const NoContact*>(&error) != nullptr) return 5;
   return dynamic_cast<const RowsFailed*>(&error) != nullptr ? 4 : 1;
 }
 

@@ -132,6 +132,10 @@ json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) 
   o["unknowns"] = coupled ? json(coupled->unknowns) : json();
   o["newton_iterations"] = coupled ? json(coupled->newton_steps) : json();
   o["converged"] = x.converged;
+  o["admissible"] = x.violations.empty();
+  o["violations"] = json::array();
+  for (const auto& [what, from, to] : x.violations)
+    o["violations"].push_back({{"what", what}, {"from", from}, {"to", to}});
   o["error_estimate"] = x.error ? object(result_rows, *x.error) : json();
   if (physical) o["physical"] = object(physical_rows, *physical);
   return o;
@@ -139,6 +143,13 @@ json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) 
 
 std::string csv_cell(const json& value) {
   if (value.is_null()) return "";
+  if (value.is_array()) {
+    std::string list;
+    for (const json& x : value)
+      list += (list.empty() ? "" : "; ") + x["what"].get<std::string>() + ' ' +
+              digits(x["from"], 6) + ".." + digits(x["to"], 6);
+    return list;
+  }
   return value.is_string() ? quoted(value) : value.dump();
 }
 
@@ -181,6 +192,8 @@ std::string to_text(const Solution& x, const std::optional<PhysicalResults>& phy
   if (x.approach.method == Method::gauss_chebyshev)
     for (const char* name : {"nodes", "outer_iterations", "inner_iterations", "converged"})
       plain(name, "");
+  if (!x.violations.empty())
+    for (const char* name : {"admissible", "violations"}) plain(name, "");
   if (std::holds_alternative<CoupledSolution>(x.found))
     for (const char* name : {"unknowns", "newton_iterations"}) plain(name, "");
   return aligned(table) + remark(x);

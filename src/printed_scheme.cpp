@@ -1,4 +1,4 @@
-// Tangled from paper/07-printed-scheme.md; edit there.
+// Tangled from paper/07-printed-scheme.md, paper/13-where-methods-fail.md; edit there.
 #include "printed_scheme.hpp"
 
 #include <cmath>
@@ -154,6 +154,19 @@ double printed_traction(const PrintedSolution& x, double friction, double s) {
   if (s <= -1 || s >= x.c0) return sliding;
   const double tau = (2 * s + 1 - x.c0) / (1 + x.c0);
   return sliding + interpolate(x.grid, x.phi0, tau) * std::sqrt((1 - tau) * (1 + tau));
+}
+
+Factors factors(const PrintedSolution& x, double friction) {
+  const Index n = x.grid.t.size(), slips = (x.grid.t.array() > x.c0).count();
+  const double a0 = (1 + x.c0) / 2;
+  const ArrayXd t = x.grid.t.head(slips).reverse();
+  ArrayXd s(n + slips), pressure(n + slips), slip(n + slips);
+  s << a0 * (1 + x.grid.t.reverse().array()) - 1, t;
+  for (Index i = 0; i < s.size(); ++i)
+    pressure(i) = printed_pressure(x, s(i)) / std::sqrt((1 - s(i)) * (1 + s(i)));
+  slip << -x.phi0.reverse().array() / a0,
+      x.slip.head(slips).reverse().array() / ((1 + t) * (t - x.c0)).sqrt();
+  return {friction, x.c0, x.load_ratio, s, pressure, slip};
 }
 
 }  // namespace thermoroll

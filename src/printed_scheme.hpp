@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "admissibility.hpp"
 #include "kernels.hpp"
 #include "scene.hpp"
 
@@ -77,5 +78,8 @@ PrintedPeak printed_max_temperature(const PrintedSolution& x, double peclet);
 /// p*(s) and q*(s); zero outside [-1, 1]. Dimensionless (per P/a).
 double printed_pressure(const PrintedSolution& x, double s);
 double printed_traction(const PrintedSolution& x, double friction, double s);
+
+/// The factors of the tractions, for the conditions of @eq:admissible.
+Factors factors(const PrintedSolution& x, double friction);
 
 }  // namespace thermoroll

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "least_model.hpp"
+#include "numbers.hpp"
 #include "quadrature.hpp"
 #include "surface.hpp"
 #include "temperature.hpp"
@@ -63,7 +64,7 @@ Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& 
   the_given_one(value, given) = given.value;
   the_given_one(error, given) = 0;
   scene.traction = value.traction;
-  return {scene, approach, value, error, x, true, name_of(model), reason};
+  return {scene, approach, value, error, x, true, name_of(model), reason, x.violations};
 }
 
 Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {
@@ -95,7 +96,9 @@ Solution solve_gauss_chebyshev(const Scene& scene, const Approach& approach) {
   const double eccentricity = pi * x.gamma0 / (2 * x.load_ratio), heat = node_heat(x).sum();
   const Results value{scene.traction, x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
                       eccentricity,   heat, top.temperature,  top.at};
-  return {scene, approach, value, std::nullopt, x, x.converged};
+  Solution solution{scene, approach, value, std::nullopt, x, x.converged};
+  solution.violations = violations(factors(x, scene.friction));
+  return solution;
 }
 
 Curve scheme_curve(const Scene& scene, const PrintedSolution& x, const std::vector<double>& at) {
@@ -239,9 +242,13 @@ PhysicalResults in_si_units(const Solution& x, const PhysicalCase& c) {
           x.value.max_temperature * unit.temperature};
 }
 
-void require_converged(const Solution& x) {
+void require_contact(const Solution& x) {
   if (!x.converged)
     throw NotConverged("the iteration did not converge; what is written is its last iterate");
+  if (x.violations.empty()) return;
+  const Violation& first = x.violations.front();
+  throw NoContact("what is written solves the equations, but is no contact: " + first.what +
+                  " at s = " + shortest(first.from) + " to " + shortest(first.to));
 }
 
 double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,

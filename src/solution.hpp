@@ -48,7 +48,8 @@ struct Solution {
   std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
   std::variant<Carter, PrintedSolution, CoupledSolution> found;
   bool converged = true;
-  std::string model{}, reason{};  ///< the rung of @sec:ladder and why; empty for the scheme
+  std::string model{}, reason{};        ///< the rung of @sec:ladder and why; empty for the scheme
+  std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one
 };
 
 /// Solve the scene for what is given (scene.traction is not used then), or for its traction.
@@ -90,8 +91,13 @@ struct NotConverged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws NotConverged unless x has converged.
-void require_converged(const Solution& x);
+/// A solution violates @eq:admissible.
+struct NoContact : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws NotConverged unless x has converged, then NoContact unless it is one.
+void require_contact(const Solution& x);
 
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
 /// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.

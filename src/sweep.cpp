@@ -253,7 +253,7 @@ Row answer(const Table& table, const std::string& line) {
       throw std::invalid_argument("the row holds a null character");
     const SolvedCase x = solve_case(read_case(read_row(table.columns, cells)));
     found = csv_fields(x.solution, x.physical);
-    require_converged(x.solution);
+    require_contact(x.solution);
     return {with_results(table, cells, found, "0", ""), true};
   } catch (const std::exception& error) {
     const std::string status = std::to_string(status_of(error));

@@ -71,6 +71,16 @@ GivenCellsStayAndEmptyOnesAreFilled() {
   [ "$(head -1 results.csv | tr , '\n' | sort | uniq -d)" = "" ] || fail "a column twice"
 }
 
+# A solution that is no contact is a row with its numbers, what is wrong with them, and the status 5.
+NoContactIsARow() {
+  printf '%s\n' friction,traction,peclet,heating,formulation,method 0.6,0.5,1000,30,printed,gauss-chebyshev \
+    0.6,0.5,1000,0,printed,gauss-chebyshev >scenes.csv
+  sweeps 4
+  grep -qF ',true,false,separation -0.999512..1; backward slip -0.999844..1,' out || fail "$(cat out)"
+  grep -q ',5,.*is no contact: separation at s = -0.9995.* to 1"\{0,1\}$' out || fail "$(cat out)"
+  tail -1 out | grep -q ',true,true,,.*,0,$' || fail "$(tail -1 out)"
+}
+
 BadRowsGiveTheirError() {
   printf '%s\n' friction,traction,peclet,heating,method,nodes,creep >scenes.csv
   : >expected
@@ -91,7 +101,7 @@ BadRowsGiveTheirError() {
   bad '0.6,0.5,\xff,0,,,' 2 $'peclet = \xff is not allowed: it must be a finite number'
   bad '0.6,0.5,--help,0,,,' 2 "peclet = --help is not allowed: it must be a finite number"
   bad '0.6,0.5,100,-1,,,' 2 "heating = -1 is not allowed: it must be zero or positive"
-  bad '0.6,0.5,100,0,best,,' 2 "method = best is not allowed: it must be coupled or closed-form or gauss-chebyshev"
+  bad '0.6,0.5,100,0,best,,' 2 "method = best is not allowed: it must be auto or closed-form or first-order or coupled or gauss-chebyshev"
   bad '0.6,0.5,100,0,,2.5,' 2 "nodes = 2.5 is not allowed: it must be a whole number"
   bad '0.6,,100,0,,,0.5' 1 "coupled: no solution found near the border"
   bad '0.6,0.5,100,4,gauss-chebyshev,20,' 3 "the iteration did not converge; what is written is its last iterate"

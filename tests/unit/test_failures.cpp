@@ -460,6 +460,27 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   EXPECT_EQ(thermoroll::violations(x).size(), 2u);
 }
 
+// Without heat the scheme's factors are Hertz's and Carter's constants on both zones, to its own
+// tolerance of 1e-6 for the border; with any, they have the signs of its tractions and velocities.
+TEST(Admissibility, OfTheScheme) {
+  const double f = 0.6;
+  const Factors plain =
+      factors(thermoroll::solve_printed({f, 0.5, 100, 0}, Formulation::printed), f);
+  EXPECT_LT((plain.pressure - 2 / thermoroll::pi).abs().maxCoeff(), 1e-9);
+  EXPECT_LT((plain.slip - 2 * f / thermoroll::pi).abs().maxCoeff(), 1e-4);
+  EXPECT_TRUE(thermoroll::violations(plain).empty());
+  const auto x = thermoroll::solve_printed({f, 0.5, 100, 1}, Formulation::corrected, {50});
+  const Factors hot = factors(x, f);
+  for (Eigen::Index i = 0; i < hot.s.size(); ++i) {
+    const double s = hot.s(i), p = thermoroll::printed_pressure(x, s);
+    EXPECT_NEAR(hot.pressure(i) * std::sqrt((1 - s) * (1 + s)), p, 1e-12);
+    const double root = std::sqrt((1 + s) * std::max(0.0, x.c0 - s));
+    const double shortfall = f * p - thermoroll::printed_traction(x, f, s);
+    EXPECT_NEAR(root > 0 ? hot.slip(i) * root : 0, shortfall, 1e-9);
+  }
+  EXPECT_TRUE((hot.s.tail(hot.s.size() - 1) > hot.s.head(hot.s.size() - 1)).all());
+}
+
 // @eq:fast-and-slow against the adaptive quadrature and the coupled solver. The fast limit's next
 // term is of relative order 1/Pe along the surface, and at the maximum of order 1/Pe^2 (found);
 // the slow limit's, Pe z ln(Pe z).
