@@ -102,7 +102,7 @@ figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)
 tables := claims resolution coincident bands iteration-steps random-scenes
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
-timed_files := $(patsubst %,build/data/%.csv,times bars contact) build/data/speed.json
+timed_files := $(patsubst %,build/data/%.csv,times bars shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
@@ -193,7 +193,7 @@ $(timed_files): build/data/times.json build/thermoroll
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --times $< --output $@
 
-$(filter build/figures/speed-%,$(figure_files)): build/data/times.csv
+$(filter build/figures/cost.svg build/figures/speed-%,$(figure_files)): build/data/times.csv
 build/figures/iteration-b.svg: figures/iteration-a.gp
 
 build/data/claims.txt: build/thermoroll | build/data

@@ -122,9 +122,12 @@ note(name, value, text, place) = sprintf("data using (only(%g, of('%s', what))):
 panel(k, of_what, title) = sprintf("what = '%s'; set label 1 '%s' at graph 0, graph 1.07; ", \
   of_what, title) \
   .sprintf("set tmargin at screen %g; set bmargin at screen %g; ", 0.965 - k*0.32, 0.745 - k*0.32) \
-  ."plot ".notes.curve('gauss_chebyshev', 'published scheme', 3, 5) \
+  ."plot ".notes.note('closed_form', 0, 'closed form', \
+    of_what eq 'temperature' ? 'left offset 0,-1' : 'left offset 0.7,0') \
+  .curve('gauss_chebyshev', 'published scheme', 3, 5) \
   .curve('thrifty', 'thriftily', 4, 13).curve('moments', 'means for samples', 2, 9) \
-  .curve('coupled', 'coupled', 1, 7).dot('closed_form', 'closed form', 4)
+  .curve('coupled', 'coupled', 1, 7).dot('first_order', 'one linear correction', 8) \
+  .dot('closed_form', 'closed form', 4)
 speed_figure = "set logscale xy; set xrange [2:5e-12]; set yrange [4e-8:4]; " \
   ."set xtics ('100 %%' 1, '1 %%' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6, '10^{−8}' 1e-8, " \
   ."'10^{−10}' 1e-10); set ytics ('0.1 µs' 1e-7, '1 µs' 1e-6, '10 µs' 1e-5, '0.1 ms' 1e-4, " \

@@ -167,7 +167,7 @@ end
 
 local function value_in_text(key, written)
   local text = value(key, written)
-  if text:find("[\\^]") then return formula(pandoc.Math("InlineMath", text)) end
+  if text:find("[\\^]") then return formula(pandoc.Math("InlineMath", (text:gsub("%$", "")))) end
   return pandoc.Str((text:gsub("^-", "−")))
 end
 

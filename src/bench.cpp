@@ -3,10 +3,12 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "comparison.hpp"
+#include "operators.hpp"
 #include "paper_case.hpp"
 #include "surface.hpp"
 
@@ -22,11 +24,51 @@ void time_run(benchmark::State& state, const Run& run) {
 
 void name_runs() {
   std::set<std::string> known;  // the closed form's is the same in all regimes
-  for (const Regime& regime : regimes)
-    for (const Run& run : runs(regime))
+  const auto name = [&](const std::vector<Run>& some) {
+    for (const Run& run : some)
       if (known.insert(run.name).second)
         benchmark::RegisterBenchmark(run.name.c_str(), time_run, run)
             ->Unit(benchmark::kMicrosecond);
+  };
+  for (const Regime& regime : regimes) name(runs(regime));
+  for (const auto& [scene, run] : cost_runs()) name({run});
+}
+
+const Scene steel{paper::friction, 0.5, paper::peclet, paper::heating};
+constexpr Formulation sign = Formulation::corrected;
+
+/// Both sides of the equations on the last grid, for an h of so many terms.
+struct LastGrid {
+  Rules rules{60};
+  CoupledSolution x = solve_coupled(steel, sign, 1e-8, {traction, 0.5});
+  SmoothFlux flux = smooth_flux(x);
+  Zones z = zones({flux.slip, flux.stick}, rules.slip, rules.stick);
+  ThermalSides sides(Eigen::Index terms) const {
+    return thermal_sides(steel, sign, z, terms, rules.ray);
+  }
+};
+
+void part_rays(benchmark::State& state) {
+  const LastGrid at;
+  for (auto _ : state) benchmark::DoNotOptimize(at.sides(1));
+}
+
+void part_sides(benchmark::State& state) {
+  const LastGrid at;
+  for (auto _ : state) benchmark::DoNotOptimize(at.sides(60));
+}
+
+void part_inverses(benchmark::State& state) {
+  const LastGrid at;
+  const ThermalSides sides = at.sides(60);
+  for (auto _ : state) benchmark::DoNotOptimize(invert(at.z, sides, steel.friction));
+}
+
+void part_hottest(benchmark::State& state) {
+  const LastGrid at;
+  const double y = climb(at.flux.slip, steel.peclet, at.flux.h, 0.5, at.rules.fine).y;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(climb(at.flux.slip, steel.peclet, at.flux.h, y, at.rules.fine));
 }
 
 void temperature_curve(benchmark::State& state, const SmoothFlux& flux) {
@@ -35,10 +77,7 @@ void temperature_curve(benchmark::State& state, const SmoothFlux& flux) {
 }
 
 void name_curves() {
-  const Scene steel{paper::friction, 0.5, paper::peclet, paper::heating};
-  const SmoothFlux closed = smooth_flux(paper::closed_form(0.5));
-  const SmoothFlux coupled =
-      smooth_flux(solve_coupled(steel, Formulation::corrected, 1e-8, {traction, 0.5}));
+  const SmoothFlux closed = smooth_flux(paper::closed_form(0.5)), coupled = LastGrid().flux;
   for (const auto& [name, flux] : {std::pair{"temperature_curve/points:400", closed},
                                    {"temperature_curve_coupled/points:400", coupled}})
     benchmark::RegisterBenchmark(name, temperature_curve, flux)->Unit(benchmark::kMicrosecond);
@@ -56,6 +95,11 @@ void carters_problem(benchmark::State& state) {
 int main(int argc, char** argv) {
   name_runs();
   name_curves();
+  for (const auto& [name, part] : {std::pair{"part/rays", part_rays},
+                                   {"part/sides", part_sides},
+                                   {"part/inverses", part_inverses},
+                                   {"part/hottest", part_hottest}})
+    benchmark::RegisterBenchmark(name, part)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("carter", carters_problem)->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <stdexcept>
 
 #include <gsl/gsl_sf_bessel.h>
 
+#include "least_model.hpp"
 #include "numbers.hpp"
 #include "paper_case.hpp"
 #include "surface.hpp"
@@ -35,9 +36,18 @@ Found thriftily(const Scene& scene, int nodes, NodeKernel kernel) {
   return found(x, thrifty_max_temperature(x, scene.peclet, kernel));
 }
 
-Found coupled_to(const Scene& scene, double tolerance) {
-  const CoupledSolution x = solve_coupled(scene, sign, tolerance, {traction, scene.traction});
-  return {x.value(load_ratio), x.value(hottest), x.value(creep)};
+Found found(const CoupledSolution& x) {
+  return {x.value(load_ratio), x.value(hottest), x.value(creep), x.unknowns};
+}
+
+Found coupled_to(const Scene& scene, double tolerance) try {
+  return found(solve_coupled(scene, sign, tolerance, {traction, scene.traction}));
+} catch (const std::runtime_error&) {  // not resolved
+  return {nan, nan, nan};
+}
+
+Found corrected_once(const Scene& scene) {
+  return found(first_order(scene, sign, 1e-6, {traction, scene.traction}));
 }
 
 Found without_heat(const Scene& scene) {
@@ -49,34 +59,52 @@ Found temperature_without_heat(const Scene& scene) {
   return {nan, hottest_point(flux, scene.peclet, 1e-9).temperature.value, nan};
 }
 
+std::string where(const Scene& scene) {
+  return "/Pe:" + shortest(scene.peclet) + "/H:" + shortest(scene.heating);
+}
+
+Run coupled_run(const Scene& scene, double tolerance) {
+  return {"coupled", tolerance, "coupled/tol:" + shortest(tolerance) + where(scene),
+          [=] { return coupled_to(scene, tolerance); }};
+}
+
 }  // namespace
 
 std::vector<Run> runs(const Regime& regime) {
   const Scene scene{paper::friction, 0.5, regime.peclet, regime.heating};
-  const std::string where = "/Pe:" + shortest(regime.peclet) + "/H:" + shortest(regime.heating);
-  std::vector<Run> all;
-  const auto add = [&](const std::string& method, double setting, const std::string& name,
-                       const std::function<Found()>& find) {
-    all.push_back({method, setting, name, find});
-  };
-  add("closed_form", 0, "closed_form", [=] { return without_heat(scene); });
-  add("closed_form", 0, "closed_form" + where, [=] { return temperature_without_heat(scene); });
+  const std::string at = where(scene);
+  std::vector<Run> all{
+      {"closed_form", 0, "closed_form", [=] { return without_heat(scene); }},
+      {"closed_form", 0, "closed_form" + at, [=] { return temperature_without_heat(scene); }},
+      {"first_order", 0, "first_order" + at, [=] { return corrected_once(scene); }}};
   for (int n = 25; n <= regime.most_nodes; n *= 2) {
-    const std::string with = "/n:" + std::to_string(n) + where;
-    add("gauss_chebyshev", n, "gauss_chebyshev" + with, [=] { return as_described(scene, n); });
+    const std::string with = "/n:" + std::to_string(n) + at;
+    all.push_back({"gauss_chebyshev", static_cast<double>(n), "gauss_chebyshev" + with,
+                   [=] { return as_described(scene, n); }});
     for (const auto& [method, kernel] :
          {std::pair{"thrifty", NodeKernel::sample}, {"moments", NodeKernel::mean}})
-      add(method, n, std::string("gauss_chebyshev_") + method + with,
-          [=, kernel = kernel] { return thriftily(scene, n, kernel); });
+      all.push_back({method, static_cast<double>(n),
+                     std::string("gauss_chebyshev_") + method + with,
+                     [=, kernel = kernel] { return thriftily(scene, n, kernel); }});
   }
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})
-    add("coupled", tolerance, "coupled/tol:" + shortest(tolerance) + where,
-        [=] { return coupled_to(scene, tolerance); });
+    all.push_back(coupled_run(scene, tolerance));
+  return all;
+}
+
+std::vector<std::pair<Scene, Run>> cost_runs() {
+  std::vector<std::pair<Scene, Run>> all;
+  for (const double heating : {0.0175, 1.0})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      for (double peclet = 0.1; peclet < 2e6; peclet *= 10) {
+        const Scene scene{paper::friction, 0.5, peclet, heating};
+        all.emplace_back(scene, coupled_run(scene, tolerance));
+      }
   return all;
 }
 
 Found reference(const Regime& regime) {
-  return coupled_to({paper::friction, 0.5, regime.peclet, regime.heating}, 1e-11);
+  return coupled_run({paper::friction, 0.5, regime.peclet, regime.heating}, 1e-11).find();
 }
 
 CarterErrors carter_errors() {

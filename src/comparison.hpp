@@ -3,7 +3,10 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "scene.hpp"
 
 namespace thermoroll {
 
@@ -19,6 +22,7 @@ inline constexpr Regime regimes[] = {
 /// What a method finds; NaN what it does not say, and everything where it does not settle.
 struct Found {
   double load_ratio, hottest, creep;
+  int unknowns = 0;  ///< of the coupled solver
 };
 
 /// A method at one of its settings.
@@ -31,6 +35,9 @@ struct Run {
 
 /// Every method at every setting that is compared in a regime.
 std::vector<Run> runs(const Regime& regime);
+
+/// The coupled solver at three tolerances over the Péclet number, with little heat and with much.
+std::vector<std::pair<Scene, Run>> cost_runs();
 
 /// What the methods are compared with: the coupled solver at its least tolerance.
 Found reference(const Regime& regime);

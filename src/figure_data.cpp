@@ -76,6 +76,13 @@ void errors(std::ostream& out, const Regime& regime) {
   }
 }
 
+void cost(std::ostream& out) {
+  row(out, "tolerance", "heating", "peclet", "name", "unknowns");
+  for (const auto& [scene, run] : cost_runs())
+    if (const Found found = run.find(); found.unknowns > 0)
+      row(out, run.setting, scene.heating, scene.peclet, run.name, found.unknowns);
+}
+
 void share_found(std::ostream& out) {
   row(out, "peclet", "n", "load", "temperature");
   for (const double pe : {100.0, paper::peclet}) {
@@ -615,6 +622,7 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
       {"speed-steel", of_regime(regimes[0])},
       {"speed-slow", of_regime(regimes[1])},
       {"speed-hot", of_regime(regimes[2])},
+      {"cost", cost},
       {"arithmetic", arithmetic},
       {"seen", seen},
       {"cycle", cycle},

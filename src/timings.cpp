@@ -60,9 +60,11 @@ std::vector<Bar> bars(const Times& times) {
   const double scheme = of("gauss_chebyshev/n:200" + steel);
   const double scheme_to_2 = of(accurate_enough(regimes[1], "gauss_chebyshev", 0.02));
   const double coupled_to_2 = of(accurate_enough(regimes[1], "coupled", 0.02));
+  const double once_to_2 = of(accurate_enough(regimes[1], "first_order", 0.02));
   return {{"6", "coupled to $10^{-6}$, steel", 200, scheme, of("coupled/tol:1e-06" + steel)},
           {"8", "coupled to $10^{-8}$, steel", 50, scheme, of("coupled/tol:1e-08" + steel)},
-          {"load", "both with $\\kappa-1$ to 2 %, slow", 2000, scheme_to_2, coupled_to_2},
+          {"load", "coupled, $\\kappa-1$ to 2 %, slow", 2000, scheme_to_2, coupled_to_2},
+          {"once", "one correction, $\\kappa-1$ to 2 %, slow", 2000, scheme_to_2, once_to_2},
           {"curve", "temperature at 400 points, closed form", 50, scheme,
            of("temperature_curve/points:400")},
           {"curve_coupled", "temperature at 400 points, coupled", 50, scheme,
@@ -82,6 +84,25 @@ void table_of_bars(std::ostream& out, const Times& times) {
         << (bar.measured() >= bar.wanted ? "yes" : "no") << '\n';
 }
 
+void table_of_shares(std::ostream& out, const Times& times) {
+  const auto of = [&](const std::string& name) { return time_of(times, name); };
+  const double whole = of("coupled/tol:1e-08/Pe:4360/H:0.0175");
+  const double coarse = of("coupled/tol:1e-06/Pe:4360/H:0.0175");
+  const double rays = of("part/rays"), sides = of("part/sides");
+  const double inverses = of("part/inverses"), summit = of("part/hottest");
+  const double rest = whole - coarse - sides - inverses - summit;
+  out << "what,time,share\n";
+  for (const auto& [what, seconds] : {std::pair{"coarser grids, with 10 and 30 unknowns", coarse},
+                                      {"last grid: nodes of the rays and kernels", rays},
+                                      {"last grid: sums with Legendre polynomials", sides - rays},
+                                      {"last grid: inverses of the transforms", inverses},
+                                      {"last grid: hottest point", summit},
+                                      {"last grid: Newton's method, signs, estimates", rest},
+                                      {"**all**", whole}})
+    out << '"' << what << "\"," << duration(seconds) << ',' << fixed(100 * seconds / whole, 0)
+        << " %\n";
+}
+
 void times_in_prose(std::ostream& out, const Times& times) {
   nlohmann::ordered_json v;
   for (const Bar& bar : bars(times)) {
@@ -89,6 +110,14 @@ void times_in_prose(std::ostream& out, const Times& times) {
     v["speed_time_" + bar.key] = duration(bar.fast);
     v["speed_slow_" + bar.key] = duration(bar.slow);
   }
+  const auto of = [&](const std::string& name) {
+    return time_of(times, name + "/Pe:4360/H:0.0175");
+  };
+  const double scheme = of("gauss_chebyshev/n:200"), thrifty = of("gauss_chebyshev_thrifty/n:200");
+  v["speed_digits"] = fixed(of("coupled/tol:1e-10") / of("coupled/tol:0.01"), 0);
+  v["speed_scheme"] = duration(scheme);
+  v["speed_thrifty"] = duration(thrifty);
+  v["speed_repeated"] = fixed(100 * (1 - thrifty / scheme), 0);
   out << v.dump(2) << '\n';
 }
 
@@ -110,6 +139,7 @@ using TimedWriter = void (*)(std::ostream&, const Times&);
 const std::vector<std::pair<std::string, TimedWriter>>& timed_writers() {
   static const std::vector<std::pair<std::string, TimedWriter>> table{{"times", times_by_name},
                                                                       {"bars", table_of_bars},
+                                                                      {"shares", table_of_shares},
                                                                       {"contact", carters_problem},
                                                                       {"speed", times_in_prose}};
   return table;

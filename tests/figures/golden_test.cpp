@@ -18,7 +18,7 @@ Table sidecar() { return read_table(golden_folder + "tolerances.csv"); }
 
 // What rests on times has no golden data.
 std::set<std::string> tables_in(const std::string& folder) {
-  const std::set<std::string> others{"tolerances", "times", "bars", "contact"};
+  const std::set<std::string> others{"tolerances", "times", "bars", "shares", "contact"};
   std::set<std::string> result;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".csv" && others.count(entry.path().stem().string()) == 0)
@@ -27,13 +27,14 @@ std::set<std::string> tables_in(const std::string& folder) {
 }
 
 const std::vector<std::string> names = {
-    "geometry",      "kernels",       "traction",        "slip",
-    "temperature-a", "temperature-b", "temperature-c",   "temperature-d",
-    "subsurface",    "sliding",       "creep",           "temperature-load",
-    "claims",        "resolution",    "coincident",      "arithmetic",
-    "seen",          "cycle",         "speed-steel",     "speed-slow",
-    "speed-hot",     "nodes",         "celsius",         "bands",
-    "iteration-a",   "iteration-b",   "iteration-steps", "ends"};
+    "geometry",      "kernels",       "traction",      "slip",
+    "temperature-a", "temperature-b", "temperature-c", "temperature-d",
+    "subsurface",    "sliding",       "creep",         "temperature-load",
+    "claims",        "resolution",    "coincident",    "arithmetic",
+    "seen",          "cycle",         "speed-steel",   "speed-slow",
+    "speed-hot",     "nodes",         "celsius",       "bands",
+    "cost",          "iteration-a",   "iteration-b",   "iteration-steps",
+    "ends"};
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string result;

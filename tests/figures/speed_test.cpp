@@ -85,6 +85,22 @@ TEST(SpeedFigures, ThriftyRunsHaveTheSameErrors) {
   }
 }
 
+// Little heat costs no more than twice the unknowns, whatever the speed; strong heat costs more, the
+// faster the more.
+TEST(SpeedFigures, CostGrowsWithDigitsAndHeat) {
+  const Table table = data("cost");
+  const auto unknowns = [&](const char* tolerance, const char* heating) {
+    return curve(table, {{"tolerance", tolerance}, {"heating", heating}}, "peclet", "unknowns");
+  };
+  for (const char* heating : {"0.0175", "1"}) {
+    const Curve coarse = unknowns("0.0001", heating), fine = unknowns("1e-08", heating);
+    ASSERT_EQ(coarse.x.size(), 8u);
+    for (std::size_t i = 0; i < fine.x.size(); ++i)
+      EXPECT_GT(fine.y[i], at(coarse, fine.x[i])) << heating;
+  }
+  EXPECT_GE(at(unknowns("1e-08", "1"), 1e4), 2 * at(unknowns("1e-08", "0.0175"), 1e4));
+}
+
 // Of the thermal correction of the load.
 TEST(SpeedFigures, PublishedSchemeIsAWallAtThePapersSpeed) {
   const Table steel = data("speed-steel"), slow = data("speed-slow");

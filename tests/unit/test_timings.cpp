@@ -54,6 +54,8 @@ std::string written(const std::string& name, const Times& times) {
 Times every_run(double coupled, double scheme) {
   Times times{{"temperature_curve/points:400", 1e-3 * coupled},
               {"temperature_curve_coupled/points:400", 1e-3 * coupled}};
+  for (const char* part : {"rays", "sides", "inverses", "hottest"})
+    times[std::string("part/") + part] = 1e-4 * coupled;
   for (const Regime& regime : thermoroll::regimes)
     for (const auto& run : thermoroll::runs(regime))
       times[run.name] = 1e-3 * (run.method == "coupled" ? coupled : scheme);
@@ -100,12 +102,24 @@ TEST(Timings, BarsAreRatiosOfTheirTimes) {
   std::istringstream table(written("bars", times));
   std::vector<std::string> rows;
   for (std::string line; std::getline(table, line);) rows.push_back(line);
-  ASSERT_EQ(rows.size(), 6u);
+  ASSERT_EQ(rows.size(), 7u);
   const char* endings[] = {"wanted,met",  ",150 ms,1.0 ms,150,200,no",
                            ",150,50,yes", ",150,2000,no",
-                           ",150,50,yes", ",150,50,yes"};
+                           ",1,2000,no",  ",150,50,yes",
+                           ",150,50,yes"};
   for (std::size_t i = 0; i < rows.size(); ++i)
     EXPECT_NE(rows[i].find(endings[i]), std::string::npos) << rows[i];
+}
+
+// The rest is what makes the parts up to the whole.
+TEST(Timings, SharesAddUpToTheWhole) {
+  std::istringstream table(written("shares", every_run(150, 1)));
+  std::string line, last;
+  double sum = 0;
+  for (std::getline(table, line); std::getline(table, line); last = line)
+    sum += std::stod(line.substr(line.rfind(',') + 1));
+  EXPECT_EQ(last, "\"**all**\",150 ms,100 %");
+  EXPECT_NEAR(sum, 200, 3);  // rounded to a per cent each
 }
 
 TEST(Timings, AreWrittenByName) {
