@@ -225,6 +225,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   Values value = corrected();
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   CoupledSolution x;
+  double best = 1;
   const int coarse = static_cast<int>(level.h.size());
   for (int n = std::max(3 * coarse / 2, 5 * std::clamp(digits, 3, 6)); n <= most_unknowns;
        n = n < most_unknowns ? std::min(2 * n, most_unknowns) : n + 1) {
@@ -244,6 +245,8 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
     x.error(hottest_at) = std::sqrt(error);  // the maximum is flat
     if (error <= tolerance && same_places(level.violations, last.violations)) return x;
+    if (n > 64 && error > 0.5 * best && error > 100 * tolerance) break;  // it gets nowhere
+    best = error;
   }
   throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
                            std::to_string(x.unknowns) + " unknowns");
