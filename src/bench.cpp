@@ -8,6 +8,8 @@
 #include <benchmark/benchmark.h>
 
 #include "comparison.hpp"
+#include "least_model.hpp"
+#include "numbers.hpp"
 #include "operators.hpp"
 #include "paper_case.hpp"
 #include "surface.hpp"
@@ -83,6 +85,30 @@ void name_curves() {
     benchmark::RegisterBenchmark(name, temperature_curve, flux)->Unit(benchmark::kMicrosecond);
 }
 
+void random_scenes_by(benchmark::State& state, bool ladder, double tolerance) {
+  const std::vector<Sample> scenes = random_scenes(200);
+  for (auto _ : state)
+    for (const auto& [scene, formulation] : scenes) try {
+        const Given given{traction, scene.traction};
+        if (ladder) {
+          benchmark::DoNotOptimize(least_model(scene, formulation, tolerance, given));
+        } else {
+          benchmark::DoNotOptimize(solve_coupled(scene, formulation, tolerance, given));
+        }
+      } catch (const std::runtime_error&) {  // refused by both
+      }
+}
+
+void name_random_scenes() {
+  for (const bool ladder : {true, false})
+    for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
+      const std::string name = (ladder ? "auto/tol:" : "coupled/tol:") + shortest(tolerance);
+      benchmark::RegisterBenchmark((name + "/random:200").c_str(), random_scenes_by, ladder,
+                                   tolerance)
+          ->Unit(benchmark::kMicrosecond);
+    }
+}
+
 void carters_problem(benchmark::State& state) {
   const double given = carter(0.3, 0.192).creep;
   for (auto _ : state)
@@ -95,6 +121,7 @@ void carters_problem(benchmark::State& state) {
 int main(int argc, char** argv) {
   name_runs();
   name_curves();
+  name_random_scenes();
   for (const auto& [name, part] : {std::pair{"part/rays", part_rays},
                                    {"part/sides", part_sides},
                                    {"part/inverses", part_inverses},

@@ -1,9 +1,10 @@
-// Tangled from paper/12-speed-and-accuracy.md; edit there.
+// Tangled from paper/12-speed-and-accuracy.md, paper/14-least-model.md; edit there.
 #include "comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 #include <gsl/gsl_sf_bessel.h>
@@ -101,6 +102,20 @@ std::vector<std::pair<Scene, Run>> cost_runs() {
         all.emplace_back(scene, coupled_run(scene, tolerance));
       }
   return all;
+}
+
+std::vector<Sample> random_scenes(int count) {
+  std::mt19937_64 random(20020101);
+  const auto log_uniform = [&](double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  std::vector<Sample> scenes;
+  for (int i = 0; i < count; ++i) {
+    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
+    const Scene scene{f, f * share, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+    scenes.push_back({scene, random() % 2 ? Formulation::printed : Formulation::corrected});
+  }
+  return scenes;
 }
 
 Found reference(const Regime& regime) {

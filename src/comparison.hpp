@@ -1,4 +1,4 @@
-// Tangled from paper/12-speed-and-accuracy.md; edit there.
+// Tangled from paper/12-speed-and-accuracy.md, paper/14-least-model.md; edit there.
 #pragma once
 
 #include <functional>
@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels.hpp"
 #include "scene.hpp"
 
 namespace thermoroll {
@@ -38,6 +39,15 @@ std::vector<Run> runs(const Regime& regime);
 
 /// The coupled solver at three tolerances over the Péclet number, with little heat and with much.
 std::vector<std::pair<Scene, Run>> cost_runs();
+
+/// A scene in either formulation.
+struct Sample {
+  Scene scene;
+  Formulation formulation;
+};
+
+/// Scenes of the ranges of @tbl:random-scenes; always the same.
+std::vector<Sample> random_scenes(int count);
 
 /// What the methods are compared with: the coupled solver at its least tolerance.
 Found reference(const Regime& regime);

@@ -391,25 +391,6 @@ void rungs_by_peclet(std::ostream& out) {
   }
 }
 
-struct Sample {
-  Scene scene;
-  Formulation formulation;
-};
-
-std::vector<Sample> random_scenes(int count) {
-  std::mt19937_64 random(20020101);
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
-  std::vector<Sample> scenes;
-  for (int i = 0; i < count; ++i) {
-    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
-    const Scene scene{f, f * share, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
-    scenes.push_back({scene, random() % 2 ? Formulation::printed : Formulation::corrected});
-  }
-  return scenes;
-}
-
 /// How an answer to a tolerance did: the rung, 3 where it was refused, and its true error in units
 /// of the tolerance, by a coupled solution ten times better.
 struct Trial {

@@ -114,6 +114,11 @@ void times_in_prose(std::ostream& out, const Times& times) {
     return time_of(times, name + "/Pe:4360/H:0.0175");
   };
   const double scheme = of("gauss_chebyshev/n:200"), thrifty = of("gauss_chebyshev_thrifty/n:200");
+  for (const auto& [digits, tolerance] : {std::pair{"2", 0.01}, {"3", 1e-3}, {"6", 1e-6}}) {
+    const std::string run = "/tol:" + shortest(tolerance) + "/random:200";
+    const double saved = time_of(times, "coupled" + run) / time_of(times, "auto" + run);
+    v[std::string("least_saved_") + digits] = fixed(saved, 1);
+  }
   v["speed_digits"] = fixed(of("coupled/tol:1e-10") / of("coupled/tol:0.01"), 0);
   v["speed_scheme"] = duration(scheme);
   v["speed_thrifty"] = duration(thrifty);
