@@ -76,9 +76,9 @@ NoContactIsARow() {
   printf '%s\n' friction,traction,peclet,heating,formulation,method 0.6,0.5,1000,30,printed,gauss-chebyshev \
     0.6,0.5,1000,0,printed,gauss-chebyshev >scenes.csv
   sweeps 4
-  grep -qF ',true,false,separation -0.999512..1; backward slip -0.999844..1,' out || fail "$(cat out)"
-  grep -q ',5,.*is no contact: separation at s = -0.9995.* to 1"\{0,1\}$' out || fail "$(cat out)"
-  tail -1 out | grep -q ',true,true,,.*,0,$' || fail "$(tail -1 out)"
+  grep -qF ',true,false,separation -0.999512..1; backward slip -0.999844..1,' results.csv || fail "$(cat results.csv)"
+  grep -q ',5,.*is no contact: separation at s = -0.9995.* to 1"\{0,1\}$' results.csv || fail "$(cat results.csv)"
+  tail -1 results.csv | grep -q ',true,true,,.*,0,$' || fail "$(tail -1 results.csv)"
 }
 
 BadRowsGiveTheirError() {
