@@ -278,21 +278,19 @@ valgrind: build/thermoroll
 	@bash tests/valgrind.sh build/thermoroll
 
 SOAK_SCENES ?= 1000000
-SOAK_SECONDS ?= 0
 SOAK_SEED ?= 1
-## soak: a million random scenes (SOAK_SCENES), or as many as fit into SOAK_SECONDS
+## soak: a million random scenes (SOAK_SCENES), or as many as fit into MINUTES
 soak: build/thermoroll
 	@$(compile) build/release --target soak
-	@build/release/tests/soak/soak $(SOAK_SCENES) $(SOAK_SECONDS) $(SOAK_SEED)
+	@build/release/tests/soak/soak $(SOAK_SCENES) $$((60 * $(or $(MINUTES),0))) $(SOAK_SEED) \
+	  >build/soak.log; status=$$?; sed -n '1p; /^FAILED/p' build/soak.log; exit $$status
 
 fuzz_targets := arguments file table scene
-FUZZ_SECONDS ?= 60
-## fuzz: look for inputs that break a way in, FUZZ_SECONDS (60) each (needs clang)
+## fuzz: look for inputs that break a way in, each for its share of MINUTES (4; needs clang)
 fuzz: | build
 	$(call configure,fuzz)
 	@$(compile) build/fuzz --target $(addprefix fuzz-,$(fuzz_targets))
-	@printf '%s\n' $(fuzz_targets) | \
-	  xargs -P $(CMAKE_BUILD_PARALLEL_LEVEL) -I {} bash tests/fuzz/run.sh {} $(FUZZ_SECONDS)
+	@bash tests/fuzz/run.sh $(or $(MINUTES),4) $(CMAKE_BUILD_PARALLEL_LEVEL) $(fuzz_targets)
 
 ## bench: how long the solvers take
 bench: build/thermoroll-bench

@@ -106,8 +106,12 @@ soak::Totals totals_of(const Block& block, int status, std::uint64_t seed) {
 int report(const soak::Totals& totals, std::uint64_t seed, double seconds) {
   long count = 0;
   for (const auto& [what, n] : totals.outcomes) count += n;
-  std::printf("%ld scenes of seed %llu in %.0f s\n", count, static_cast<unsigned long long>(seed),
-              seconds);
+  const auto solved = totals.outcomes.find("solved");
+  const long answers = solved == totals.outcomes.end() ? 0 : solved->second;
+  std::printf(
+      "%ld scenes of seed %llu in %.0f s: %ld solved, %ld refused, %zu of %zu properties failed\n",
+      count, static_cast<unsigned long long>(seed), seconds, answers, count - answers,
+      totals.failures.size(), totals.worst.size());
   for (const auto& [what, n] : totals.outcomes) std::printf("%10ld %s\n", n, what.c_str());
   for (const auto& [what, n] : totals.beside) std::printf("%10ld (%s)\n", n, what.c_str());
   std::printf("largest share of what is allowed, and its scene:\n");
