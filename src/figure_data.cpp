@@ -296,6 +296,31 @@ void values_on_cycle(nlohmann::ordered_json& v) {
   v["cycle_struck"] = std::to_string(struck);
 }
 
+void values_on_contacts(nlohmann::ordered_json& v) {
+  constexpr int count = 300;
+  PrintedOptions options;
+  options.nodes = 20, options.max_outer = 40;
+  int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
+  for (auto [scene, formulation] : random_scenes(count)) {
+    scene.heating *= 10;
+    try {
+      const Given given{traction, scene.traction};
+      wrong += solve_coupled(scene, formulation, 1e-3, given).violations.empty() ? 0 : 1;
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+    const PrintedSolution x = solve_printed(scene, formulation, options);
+    unsettled += x.converged ? 0 : 1;
+    scheme_wrong += violations(factors(x, scene.friction)).empty() ? 0 : 1;
+  }
+  v["contact_scenes"] = std::to_string(count);
+  v["contact_refused"] = std::to_string(refused);
+  v["contact_wrong"] = std::to_string(wrong);
+  v["contact_nodes"] = std::to_string(options.nodes);
+  v["contact_unsettled"] = std::to_string(unsettled);
+  v["contact_scheme_wrong"] = std::to_string(scheme_wrong);
+}
+
 /// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton led to the solution h.
 int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
   const auto finds = [&](auto iterate) {
@@ -572,6 +597,7 @@ void values(std::ostream& out) {
   v["ellipse_mended"] = fixed(1000 * semi_axis(1.47e5), 0);
   values_on_resolution(v);
   values_on_cycle(v);
+  values_on_contacts(v);
   values_on_least_model(v);
   out << v.dump(2) << '\n';
 }

@@ -481,6 +481,17 @@ TEST(Admissibility, OfTheScheme) {
   EXPECT_TRUE((hot.s.tail(hot.s.size() - 1) > hot.s.head(hot.s.size() - 1)).all());
 }
 
+// What the coupled solver gives is a contact, also at strong heating.
+TEST(Admissibility, FollowsFromTheWayToTheSolution) {
+  for (const double peclet : {0.1, 10.0, 1e4})
+    for (const double heating : {0.1, 1.0, 10.0})
+      for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
+        EXPECT_TRUE(thermoroll::solve_coupled({0.6, 0.5, peclet, heating}, formulation, 1e-3,
+                                              {thermoroll::traction, 0.5})
+                        .violations.empty())
+            << peclet << ' ' << heating;
+}
+
 // @eq:fast-and-slow against the adaptive quadrature and the coupled solver. The fast limit's next
 // term is of relative order 1/Pe along the surface, and at the maximum of order 1/Pe^2 (found);
 // the slow limit's, Pe z ln(Pe z).
