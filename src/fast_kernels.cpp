@@ -1,6 +1,7 @@
 // Tangled from paper/10-coupled-solver.md; edit there.
 #include "fast_kernels.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -33,7 +34,7 @@ struct Table {
   Table();
   Kernels operator()(double x) const {
     const std::uint64_t bits = bits_of(x), cell = (bits >> shift) - first;
-    if (cell >= cells) return exact(x);  // out of the table, or a NaN
+    if (cell >= cells) return exact(std::max(x, 0x1p-1000));  // out of the table; not 0
     const std::uint64_t inside = bits & ((std::uint64_t{1} << shift) - 1);
     const double u = static_cast<double>(inside) * (2.0 / (std::uint64_t{1} << shift)) - 1;
     const double* c = &coefficients[(cell * (degree + 1) + degree) * 4];
