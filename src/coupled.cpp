@@ -75,7 +75,7 @@ struct Level {
   Border at;
   Values value;
   VectorXd h;                         // Legendre coefficients; none before the first grid
-  double summit = 0.5;                // y of the hottest point
+  Summit summit;                      // the hottest point
   int newton_steps = 0;               // 0 where Newton failed
   std::vector<Violation> violations;  // where it is no contact
 };
@@ -95,10 +95,9 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   level.newton_steps = solve_flux(x, rules.slip, sigma, f, carter, level.h);
   const VectorXd& h = level.h;
   const Loads load = loads(z, sides, x, f, h);
-  const Summit summit = climb(at.slip, scene.peclet, h, from.summit, rules.fine);
+  const Summit& summit = level.summit = climb(at.slip, scene.peclet, h, from.summit, rules.fine);
   const Place top(1 + summit.y, 1 - summit.y);
   const double heat = at.slip * at.slip * z.heat.dot(rules.slip.p * h);
-  level.summit = summit.y;
   level.value << at.c0(), at.slip, load.traction, load.constant, load.constant - f * load.gamma0,
       load.kappa, load.gamma0, heat, summit.value, at.c0() + at.slip * top.t();
   level.violations = violations(factors(rules, z, sides, x, f, h));

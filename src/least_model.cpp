@@ -52,7 +52,7 @@ struct FastLimit {
     for (Eigen::Index i = 0; i < 20; ++i) {
       const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
       const Border at{slip, 2 - slip};
-      const Summit top = climb(slip, peclet, carter_h(at, 1), 0.45, gauss_legendre(200));
+      const Summit top = climb(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
       value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5), y(i) = top.y;
     }
     value = to_legendre(rule) * value, y = to_legendre(rule) * y;
@@ -76,7 +76,7 @@ Summit hottest_of_carter(const Border& at, double friction, double peclet, doubl
   const double lambda = at.slip * peclet;
   const Summit fast = fast_limit(at, friction, peclet);
   if (1.3 / (lambda * lambda) < tolerance / 10) return fast;
-  return climb(at.slip, peclet, carter_h(at, friction), fast.y, rays_for(tolerance));
+  return climb(at.slip, peclet, carter_h(at, friction), fast, rays_for(tolerance));
 }
 
 bool sticks_without_heat(double friction, const Given& given) {
@@ -173,7 +173,7 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
                             const Given& given) {
   const Correction x = correct(scene, formulation, given, 16);
   const VectorXd h = to_legendre(gauss_legendre(16)) * x.h;
-  const double near = fast_limit(x.at, scene.friction, scene.peclet).y;
+  const Summit near = fast_limit(x.at, scene.friction, scene.peclet);
   const Summit top = climb(x.at.slip, scene.peclet, h, near, rays_for(tolerance));
   const double r = std::max(largest_change(x), x.most);
   const double error = 2 * r * r + 2e-3 * r + 0.1 * tolerance;

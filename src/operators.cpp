@@ -292,20 +292,20 @@ Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
 }
 
-Summit climb(double slip, double peclet, const VectorXd& h, double y, const Rule& rule) {
-  const auto at = [&](double place) {
-    return warmth(slip, peclet, h, 1 + place, 1 - place, 0, rule);
-  };
-  double low = -1, high = 1, slope = at(y).slope, last = y - 0.05, before = at(last).slope;
-  for (int step = 0; step < 60; ++step) {
+Summit climb(double slip, double peclet, const VectorXd& h, const Summit& near, const Rule& rule) {
+  double low = -1, high = 1, bend = near.bend, y = near.y, last = y, before = 0;
+  for (int step = 0;; ++step) {
+    const Place at(1 + y, 1 - y);
+    const Warmth now = warmth(slip, peclet, h, 1 + y, 1 - y, 0, rule);
+    const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
+    if (step > 0) bend = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
-    double next = y - slope * (y - last) / (slope - before);
-    if (!(low < next && next < high)) next = (low + high) / 2;
-    last = y, before = slope, y = next;
-    if (std::abs(y - last) < 1e-5) break;
-    slope = at(y).slope;
+    const double move = -slope / bend, next = y + move;
+    if (std::abs(move) < 1e-4 || step == 60)
+      return {next, now.value * (1 + slope * move / 2), bend};
+    last = y, before = slope;
+    y = low < next && next < high ? next : (low + high) / 2;
   }
-  return {y, at(y).value};
 }
 
 /// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of

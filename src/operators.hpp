@@ -138,10 +138,11 @@ Eigen::ArrayXd surface_temperature(const Border& border, double peclet, const Ei
 
 /// The hottest point of the slip zone and T* there.
 struct Summit {
-  double y, value;
+  double y = 0.45, value = 0, bend = -1;  // bend: the second derivative of ln T by y
 };
 
-/// Find it from near y, to about 1e-9 in y.
-Summit climb(double slip, double peclet, const Eigen::VectorXd& h, double y, const Rule& rule);
+/// Find it from near by, to about 1e-8 in y.
+Summit climb(double slip, double peclet, const Eigen::VectorXd& h, const Summit& near,
+             const Rule& rule);
 
 }  // namespace thermoroll

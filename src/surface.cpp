@@ -55,8 +55,8 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
 
 Peak hottest_point(const SmoothFlux& x, double peclet, double tolerance) {
   int nodes = 40;
-  for (Summit before = climb(x.slip, peclet, x.h, 0.5, gauss_legendre(nodes));;) {
-    const Summit now = climb(x.slip, peclet, x.h, before.y, gauss_legendre(nodes += 8));
+  for (Summit before = climb(x.slip, peclet, x.h, {}, gauss_legendre(nodes));;) {
+    const Summit now = climb(x.slip, peclet, x.h, before, gauss_legendre(nodes += 8));
     const double error = error_of_rays(nodes, std::abs(now.value - before.value), now.value);
     if (error <= tolerance * now.value || nodes >= most_unknowns) {
       const double moved = std::abs(now.y - before.y) + 1e-9;
