@@ -165,7 +165,7 @@ double tail(const VectorXd& h) {
 double estimate(const Values& change, double now, double before, int n) {
   double integrals = 0;
   for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
-  const double size = n, part = n > 128 ? 0.05 : 0.2;
+  const double size = n, part = n > 200 ? 0.05 : 0.2;
   const double shrunk = std::clamp(now / before, part / 4, part);
   const double unresolved = now > 1e-3 ? now : 10 * now / (size * size);
   return std::max({unresolved, part * integrals, shrunk * change(hottest)}) +
@@ -213,7 +213,10 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   check_given(scene, tolerance, given);
   Values slope, change = Values::Zero();
   Level level;
-  for (int n = 10; n <= 40 && (level.newton_steps == 0 || !level.violations.empty()); n *= 2)
+  const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
+  const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
+  for (int n = easy ? 6 : 10; n <= 40 && (level.newton_steps == 0 || !level.violations.empty());
+       n *= 2)
     level = find_border(scene, formulation, n, given, slope);
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
@@ -222,11 +225,10 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     return level.value + slope * (given.value - level.value(given.quantity));
   };
   Values value = corrected();
-  const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   CoupledSolution x;
   double best = 1;
   const int coarse = static_cast<int>(level.h.size());
-  for (int n = std::max(3 * coarse / 2, 5 * std::clamp(digits, 3, 6)); n <= most_unknowns;
+  for (int n = std::max(3 * coarse / 2, 5 * std::clamp(digits, 2, 6)); n <= most_unknowns;
        n = n < most_unknowns ? std::min(2 * n, most_unknowns) : n + 1) {
     const Level last = level;
     const double step = slope(border) * (given.value - last.value(given.quantity));
