@@ -44,27 +44,28 @@ Values carter_values(const Carter& c) {
   return x;
 }
 
-/// The limit @eq:fast-limit: T* sqrt(Pe) / (f slip^1.5) and y of its top, as Legendre series in
-/// 2 ell - 1.
+/// The limit @eq:fast-limit: y of the top, T* sqrt(Pe) / (f slip^1.5) there and its curvature, as
+/// Legendre series in 2 ell - 1.
 struct FastLimit {
-  FastLimit() : value(20), y(20) {
+  FastLimit() : y(20), value(20), bend(20) {
     const Rule& rule = gauss_legendre(20);
     for (Eigen::Index i = 0; i < 20; ++i) {
       const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
       const Border at{slip, 2 - slip};
       const Summit top = climb(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
-      value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5), y(i) = top.y;
+      y(i) = top.y, value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
+      bend(i) = top.bend;
     }
-    value = to_legendre(rule) * value, y = to_legendre(rule) * y;
+    for (VectorXd* series : {&y, &value, &bend}) *series = to_legendre(rule) * *series;
   }
-  VectorXd value, y;
+  VectorXd y, value, bend;
 };
 
 Summit fast_limit(const Border& at, double friction, double peclet) {
   static const FastLimit limit;
   const Eigen::RowVectorXd p = legendre(ArrayXd::Constant(1, at.slip - 1), 20).row(0);
   const double unit = friction * std::pow(at.slip, 1.5) / std::sqrt(peclet);
-  return {p.dot(limit.y), unit * p.dot(limit.value)};
+  return {p.dot(limit.y), unit * p.dot(limit.value), p.dot(limit.bend)};
 }
 
 const Rule& rays_for(double tolerance) {

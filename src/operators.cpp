@@ -301,7 +301,8 @@ Summit climb(double slip, double peclet, const VectorXd& h, const Summit& near, 
     if (step > 0) bend = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
     const double move = -slope / bend, next = y + move;
-    if (std::abs(move) < 1e-4 || step == 60)
+    const bool known = step > 0 || near.value > 0;  // the curvature
+    if ((known && std::abs(move) < 1e-4) || step == 60)
       return {next, now.value * (1 + slope * move / 2), bend};
     last = y, before = slope;
     y = low < next && next < high ? next : (low + high) / 2;
