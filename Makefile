@@ -99,7 +99,7 @@ endif
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*.cpp src/*.hpp)
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
-tables := claims resolution coincident bands iteration-steps random-scenes
+tables := claims resolution coincident bands iteration-steps random-scenes survival
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
 timed_files := $(patsubst %,build/data/%.csv,times bars shares contact) build/data/speed.json

@@ -2,6 +2,7 @@
 #include "figure_data.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -378,6 +379,34 @@ void iteration_steps(std::ostream& out) {
     }
 }
 
+/// How many scenes of the corners are solved, not solved, not resolved.
+std::array<int, 3> survivors(Formulation formulation, double heating) {
+  std::array<int, 3> count{};
+  for (int decade = -3; decade <= 8; ++decade)
+    for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
+      const double f = paper::friction;
+      const Scene scene{f, 0, std::pow(10, decade), heating};
+      try {
+        const CoupledSolution x = solve_coupled(scene, formulation, 1e-3, {traction, f * share});
+        count[x.violations.empty() ? 0 : 1] += 1;
+      } catch (const std::runtime_error& refusal) {
+        const bool coarse = std::string(refusal.what()).find("not resolved") != std::string::npos;
+        count[coarse ? 2 : 1] += 1;
+      }
+    }
+  return count;
+}
+
+void survival(std::ostream& out) {
+  row(out, "$H$", "solved", "no solution", "not resolved", "printed: solved", "no solution",
+      "not resolved");
+  for (const double heating : {0.01, 1.0, 10.0, 100.0, 1000.0}) {
+    const auto [a, b, c] = survivors(Formulation::corrected, heating);
+    const auto [d, e, g] = survivors(Formulation::printed, heating);
+    row(out, shortest(heating), a, b, c, d, e, g);
+  }
+}
+
 void ends(std::ostream& out) {
   row(out, "peclet", "fast", "slow");
   const HeatFlux flux = carter_flux(paper::closed_form(0.5));
@@ -641,6 +670,7 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
       {"coincident", coincident},
       {"bands", bands},
       {"iteration-steps", iteration_steps},
+      {"survival", survival},
       {"random-scenes", rungs_of_random_scenes},
       {"claims", claims_table},
       {"values", values},

@@ -1,6 +1,8 @@
 // Where methods fail: each failure, and its cure.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -556,4 +558,29 @@ TEST(Ends, NearlyFullTraction) {
         const double law = std::sqrt(left * 2 * 0.6 / (thermoroll::pi * slope));
         EXPECT_TRUE(close(b / law, 1, 0.6 * b + 1e-6)) << "Pe = " << peclet << ", " << left;
       }
+}
+
+// Corners of all ranges, also of friction: a finite contact, or a refusal in one line. With little
+// heat nothing is refused, and what comes out is Carter's creep up to what the heat can change.
+TEST(Ends, EveryCornerIsSolvedOrRefused) {
+  for (const Formulation formulation : both)
+    for (const double f : {1e-3, 2.0})
+      for (const double peclet : {1e-3, 1.0, 1e8})
+        for (const double heating : {0.0, 1e-3, 1e3})
+          for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
+            SCOPED_TRACE(::testing::Message() << "f = " << f << ", Pe = " << peclet
+                                              << ", H = " << heating << ", Q*/f = " << share);
+            const double q = f * share, cold = thermoroll::carter(f, q).creep;
+            try {
+              const CoupledSolution x = thermoroll::solve_coupled(
+                  {f, 0, peclet, heating}, formulation, 1e-3, {thermoroll::traction, q});
+              EXPECT_TRUE(x.value.allFinite() && x.error.allFinite());
+              EXPECT_TRUE(x.violations.empty());
+              if (f * heating > 2e-3) continue;
+              EXPECT_TRUE(close(x.value(thermoroll::creep) / cold, 1, 1e-3 + f * heating));
+            } catch (const std::runtime_error& refusal) {
+              EXPECT_GT(f * heating, 2e-3) << refusal.what();
+              EXPECT_EQ(std::string(refusal.what()).find('\n'), std::string::npos);
+            }
+          }
 }
