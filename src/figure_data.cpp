@@ -398,8 +398,8 @@ std::array<int, 3> survivors(Formulation formulation, double heating) {
 }
 
 void survival(std::ostream& out) {
-  row(out, "$H$", "solved", "no solution", "not resolved", "printed: solved", "no solution",
-      "not resolved");
+  row(out, "$H$", "solved", "no solution", "not resolved", "printed: solved",
+      "printed: no solution", "printed: not resolved");
   for (const double heating : {0.01, 1.0, 10.0, 100.0, 1000.0}) {
     const auto [a, b, c] = survivors(Formulation::corrected, heating);
     const auto [d, e, g] = survivors(Formulation::printed, heating);

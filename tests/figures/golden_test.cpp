@@ -34,7 +34,7 @@ const std::vector<std::string> names = {
     "seen",          "cycle",         "speed-steel",   "speed-slow",
     "speed-hot",     "nodes",         "celsius",       "bands",
     "cost",          "iteration-a",   "iteration-b",   "iteration-steps",
-    "ends",          "rungs",         "random-scenes"};
+    "ends",          "rungs",         "random-scenes", "survival"};
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string result;
