@@ -115,8 +115,12 @@ up_to = $(firstword $2) $(if $(filter $1,$(firstword $2)),,$(call up_to,$1,$(wor
 step = @printf '[%2d/%d %4d s] %s\n' $(words $(call up_to,$@,$(steps))) $(words $(steps)) \
   $$(($$(date +%s) - $(THERMOROLL_STARTED))) '$1'
 
-# CMake and CTest are run apart from this make's job slots; they take every processor unless told.
-export CMAKE_BUILD_PARALLEL_LEVEL ?= $(shell nproc 2>/dev/null || echo 2)
+# This make, CMake and CTest, each apart from the others' job slots, take every processor unless told.
+processors := $(shell nproc 2>/dev/null || echo 2)
+ifeq ($(filter -j% --job%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(processors)
+endif
+export CMAKE_BUILD_PARALLEL_LEVEL ?= $(processors)
 export CTEST_PARALLEL_LEVEL ?= $(CMAKE_BUILD_PARALLEL_LEVEL)
 apart := env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u THERMOROLL_STARTED
 compile := $(apart) cmake --build
@@ -183,7 +187,9 @@ build/benches-built: build/built | build/release/with-bench
 
 build/thermoroll-bench: build/benches-built ;
 
-build/data/times.json: build/thermoroll-bench | $(data_files) build/data/claims.txt
+drawn_from_times := $(filter build/figures/cost.svg build/figures/speed-%,$(figure_files))
+build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) \
+    $(filter-out $(drawn_from_times),$(figure_files))
 	$(call step,timing the methods for half a minute)
 	@build/thermoroll-bench --benchmark_min_time=0.02 --benchmark_repetitions=3 \
 	  --benchmark_format=json >$@.tmp 2>build/bench.log || { cat build/bench.log; exit 1; }
@@ -193,7 +199,7 @@ $(timed_files): build/data/times.json build/thermoroll
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --times $< --output $@
 
-$(filter build/figures/cost.svg build/figures/speed-%,$(figure_files)): build/data/times.csv
+$(drawn_from_times): build/data/times.csv
 build/figures/iteration-b.svg: figures/iteration-a.gp
 
 build/data/claims.txt: build/thermoroll | build/data
