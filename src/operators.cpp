@@ -302,7 +302,7 @@ Summit climb(double slip, double peclet, const VectorXd& h, const Summit& near, 
     (slope > 0 ? low : high) = y;
     const double move = -slope / bend, next = y + move;
     const bool known = step > 0 || near.value > 0;  // the curvature
-    if ((known && std::abs(move) < 1e-4) || step == 60)
+    if ((known && std::abs(move) < 1e-5) || step == 60)
       return {next, now.value * (1 + slope * move / 2), bend};
     last = y, before = slope;
     y = low < next && next < high ? next : (low + high) / 2;
