@@ -31,8 +31,8 @@ SchemeGivesThePapersTemperature() {
 }
 
 # Heat bulges the surface: with the right sign the contact carries more than Hertz's share.
-CoupledIsTheDefault() {
-  answers solve "${paper_case[@]}" --method coupled --formulation corrected --tolerance 1e-6 --format json
+AutoIsTheDefault() {
+  answers solve "${paper_case[@]}" --method auto --formulation corrected --tolerance 1e-6 --format json
   cp out explicit
   answers solve "${paper_case[@]}" --format json
   cmp out explicit || fail "these are not the defaults"
@@ -529,7 +529,7 @@ BadSiData() {
 }
 
 BadWords() {
-  refuses 2 "method = newton is not allowed: it must be coupled or closed-form or gauss-chebyshev" \
+  refuses 2 "method = newton is not allowed: it must be auto or closed-form or first-order or coupled or gauss-chebyshev" \
     solve "${paper_case[@]}" --method newton
   refuses 2 "formulation = other is not allowed: it must be printed or corrected" \
     solve "${paper_case[@]}" --formulation other

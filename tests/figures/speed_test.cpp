@@ -85,8 +85,8 @@ TEST(SpeedFigures, ThriftyRunsHaveTheSameErrors) {
   }
 }
 
-// Little heat costs no more than twice the unknowns, whatever the speed; strong heat costs more, the
-// faster the more.
+// Little heat costs no more than twice the unknowns, whatever the speed; strong heat costs more,
+// the faster the more.
 TEST(SpeedFigures, CostGrowsWithDigitsAndHeat) {
   const Table table = data("cost");
   const auto unknowns = [&](const char* tolerance, const char* heating) {

@@ -32,8 +32,8 @@ curves_of() {
     celsius) printf '%s\n' converged 'T ∝ √V' 'published scheme' paper ;;
     speed-*)
       for quantity in load temperature creep; do
-        for method in label label label label label 'published scheme' thriftily \
-          'means for samples' coupled 'closed form'; do
+        for method in label label label label label label 'published scheme' thriftily \
+          'means for samples' coupled 'one linear correction' 'closed form'; do
           echo "$quantity: $method"
         done
       done ;;
@@ -46,6 +46,13 @@ curves_of() {
     iteration-?) printf '%s\n' method 'Picard contracts' 'half steps contract' ;;
     ends) printf '%s\n' 'from the fast limit' 'from the slow limit' ;;
     cycle) printf '%s\n' 'n = 90' steps 'n = 89' 'n = 91' ;;
+    cost) # three curves and their ends, in both panels
+      for heating in 0.0175 1; do
+        for digits in 4 6 8; do echo "10−$digits, H = $heating"; done
+        for k in 4 5 6; do echo "cost_plot_$k$([ $heating = 1 ] && echo b || echo a)"; done
+      done ;;
+    rungs) # the dashed curve of each tolerance has no entry in the key
+      printf '%s\n' rungs_plot_1 10−2 rungs_plot_3 10−3 rungs_plot_5 10−6 ;;
   esac
 }
 
@@ -69,19 +76,21 @@ labels_of() {
       printf '%s\n' '°C' 'V, m/s' converged 'the paper' 'published scheme, n = 200' ;;
     speed-*)
       printf '%s\n' 'relative error' 'a. Thermal correction of the load, κ − 1' \
-        'b. Largest temperature' 'c. Creep' '1 %' '1 ms' coupled thriftily 'means for samples' 'closed form' ;;
+        'b. Largest temperature' 'c. Creep' '1 %' '1 ms' coupled thriftily 'means for samples' 'first order' 'closed form' ;;
     seen) printf '%s\n' 'the paper' Pe n '99.9 %' '99 %' '90 %' '50 %' '10 %' 'share seen' ;;
     iteration-?)
       printf '%s\n' Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'grid too coarse' \
         'ρ = 1' Pe 'f Pe H' ;;
     ends) printf '%s\n' 'relative distance' Pe 'slow limit' 'fast limit' ;;
+    cost) printf '%s\n' Pe '0.1 ms' '10 ms' 'a. H = 0.0175' 'b. H = 1' 10−4 10−6 10−8 ;;
+    rungs) printf '%s\n' Pe H paper 10−2 10−3 10−6 ;;
     cycle) printf '%s\n' 'inner step' c0 'a node of n = 90' 'n = 90: no end' 'n = 89 and 91: settled' ;;
     arithmetic) printf '%s\n' 'digits lost, of 16' '|ζ|' N1 N2 M 'as printed' 'with scaled functions' ;;
   esac
 }
 
 # The height of the picture; all are 560 wide.
-height_of() { case $1 in speed-*) echo 900 ;; *) echo 380 ;; esac; }
+height_of() { case $1 in speed-*) echo 900 ;; cost) echo 640 ;; *) echo 380 ;; esac; }
 
 check_svg() {
   local name=$1 file=$2 id=${1//-/_}
