@@ -19,8 +19,8 @@ end(digits, heating) = sprintf("data using (chosen(1e-%d, %g) == 1e6 ? 1e6 : NaN
   ."(seconds(strcol('name'))):('10^{−%d}') with labels left offset 0.6,0 notitle", digits, heating, digits)
 panel(k, heating, title) = sprintf("set label 1 '%s' at graph 0, graph 1.08; ", title) \
   .sprintf("set tmargin at screen %g; set bmargin at screen %g; plot ", 0.94 - k*0.46, 0.58 - k*0.46) \
-  .line(4, heating, 1).', '.line(6, heating, 2).', '.line(8, heating, 3).', ' \
-  .end(4, heating).', '.end(6, heating).', '.end(8, heating)
+  .end(4, heating).', '.end(6, heating).', '.end(8, heating).', ' \
+  .line(4, heating, 1).', '.line(6, heating, 2).', '.line(8, heating, 3)
 set multiplot
 eval panel(0, 0.0175, 'a. {/:Italic H} = 0.0175')
 set xlabel 'Pe' offset 0,0.6

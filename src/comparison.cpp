@@ -97,7 +97,8 @@ std::vector<std::pair<Scene, Run>> cost_runs() {
   std::vector<std::pair<Scene, Run>> all;
   for (const double heating : {0.0175, 1.0})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
-      for (double peclet = 0.1; peclet < 2e6; peclet *= 10) {
+      for (int decade = -1; decade <= 6; ++decade) {
+        const double peclet = std::pow(10, decade);
         const Scene scene{paper::friction, 0.5, peclet, heating};
         all.emplace_back(scene, coupled_run(scene, tolerance));
       }

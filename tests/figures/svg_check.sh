@@ -46,10 +46,10 @@ curves_of() {
     iteration-?) printf '%s\n' method 'Picard contracts' 'half steps contract' ;;
     ends) printf '%s\n' 'from the fast limit' 'from the slow limit' ;;
     cycle) printf '%s\n' 'n = 90' steps 'n = 89' 'n = 91' ;;
-    cost) # three curves and their ends, in both panels
+    cost) # the ends of three curves and the curves, in both panels
       for heating in 0.0175 1; do
+        for k in 1 2 3; do echo "cost_plot_$k$([ $heating = 1 ] && echo b || echo a)"; done
         for digits in 4 6 8; do echo "10−$digits, H = $heating"; done
-        for k in 4 5 6; do echo "cost_plot_$k$([ $heating = 1 ] && echo b || echo a)"; done
       done ;;
     rungs) # the dashed curve of each tolerance has no entry in the key
       printf '%s\n' rungs_plot_1 10−2 rungs_plot_3 10−3 rungs_plot_5 10−6 ;;
