@@ -11,6 +11,6 @@ set xtics ('0.01' 1e-2, '1' 1, '100' 100, '10^4' 1e4, '10^6' 1e6) offset 0,0.2
 set ytics ('100' 100, '1' 1, '10^{−2}' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6)
 set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 width 1
 set label 'paper' at 4360, 0.0175 point pointtype 2 pointsize 0.8 offset 0.6,-0.7
-tolerance(k, i) = sprintf("data using 'peclet':'closed_%d' with lines linetype %d dashtype (8,4) notitle, " \
-  ."data using 'peclet':'first_%d' with lines linetype %d dashtype solid title '10^{−%d}'", k, i, k, i, k)
+tolerance(k, i) = sprintf("data using 'peclet':'first_%d' with lines linetype %d dashtype solid title '10^{−%d}', " \
+  ."data using 'peclet':'closed_%d' with lines linetype %d dashtype (8,4) notitle", k, i, k, k, i)
 eval "plot ".tolerance(2, 1).", ".tolerance(3, 2).", ".tolerance(6, 3)

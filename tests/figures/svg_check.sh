@@ -52,7 +52,7 @@ curves_of() {
         for digits in 4 6 8; do echo "10−$digits, H = $heating"; done
       done ;;
     rungs) # the dashed curve of each tolerance has no entry in the key
-      printf '%s\n' rungs_plot_1 10−2 rungs_plot_3 10−3 rungs_plot_5 10−6 ;;
+      printf '%s\n' 10−2 rungs_plot_2 10−3 rungs_plot_4 10−6 rungs_plot_6 ;;
   esac
 }
 
