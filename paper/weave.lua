@@ -484,7 +484,8 @@ end
 
 local function file_link(path) return link("file:" .. path, "<code>" .. path .. "</code>") end
 
---- The lines of a code as HTML; `@eq:id` in them becomes a link.
+--- The lines of a code as HTML; `@eq:id` in them becomes a link. Operators have no colour of their own,
+--- and their tags would be a quarter of the report.
 local function highlighted(lines, language)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
@@ -493,6 +494,7 @@ local function highlighted(lines, language)
   local out = {}
   for line in (html .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
+    inside = inside:gsub('<span class="op">([^<]*)</span>', "%1")
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
       return refers(id) and referred(id) or "@" .. id
     end)))

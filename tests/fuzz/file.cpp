@@ -1,6 +1,7 @@
 // The case file, for both subcommands that read one.
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -8,7 +9,8 @@
 #include "fuzz.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::string name = "/tmp/thermoroll-fuzz-" + std::to_string(getpid());
+  static const std::string name =
+      std::filesystem::temp_directory_path() / ("thermoroll-fuzz-" + std::to_string(getpid()));
   std::ofstream(name, std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   for (const char* subcommand : {"solve", "temperature"})

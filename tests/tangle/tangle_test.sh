@@ -100,7 +100,7 @@ END
 # Files are written below TANGLE_ROOT and nowhere else.
 FileOutside() {
   local path
-  for path in /tmp/a.cpp ../a.cpp src/../../a.cpp src/..; do
+  for path in /a.cpp ../a.cpp src/../../a.cpp src/..; do
     printf 'Text.\n\n``` {.cpp #a file=%s}\nint a;\n```\n' "$path" | chapter one.md
     expect_error "one.md:3: $path: a file is named from the project's folder, without .." one.md
   done
