@@ -104,13 +104,6 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   return level;
 }
 
-Values carter_values(double friction, double q) {
-  const Carter c = carter(friction, q);
-  Values values;
-  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
-  return values;
-}
-
 /// Carter's traction for the given quantity, kept inside (0, f).
 double carter_traction_given(double friction, const Given& given) {
   const double b = (1 + given.value) / 2;
@@ -132,7 +125,8 @@ Level find_border(const Scene& scene, Formulation formulation, int n, const Give
                   Values& slope) {
   const double f = scene.friction;
   const double nearly = carter_traction_given(f, given), less = 1e-3 * std::min(nearly, f - nearly);
-  const Values here = carter_values(f, nearly), below = carter_values(f, nearly - less);
+  const Values here = carter_values(carter(f, nearly));
+  const Values below = carter_values(carter(f, nearly - less));
   slope = (here - below) / (here(given.quantity) - below(given.quantity));
   const double slip = here(slip_length);
   Border at{slip, 2 - slip};
@@ -185,6 +179,13 @@ Values scale_of(const Values& v) {
   Values scale = Values::Ones();
   for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
   return scale;
+}
+
+Values carter_values(const Carter& c) {
+  const double q = c.friction * c.slip_half_width * (1 + c.b);
+  Values values;
+  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
+  return values;
 }
 
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {

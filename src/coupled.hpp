@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "admissibility.hpp"
+#include "carter.hpp"
 #include "heat_flux.hpp"
 #include "kernels.hpp"
 #include "scene.hpp"
@@ -47,6 +48,9 @@ struct CoupledSolution {
 
 /// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
 Values scale_of(const Values& v);
+
+/// The quantities without heat, but for the temperature.
+Values carter_values(const Carter& c);
 
 /// Refuse what solve_coupled does not take, by std::invalid_argument.
 void check_given(const Scene& scene, double tolerance, const Given& given);

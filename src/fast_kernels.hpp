@@ -9,7 +9,7 @@ struct Kernels {
   double n1, n2_up, n2_down, m_down;
 };
 
-/// The functions of kernels.hpp from a table, distance > 0; relative error below 2e-13 (of the
+/// The functions of kernels.hpp from a table, distance > 0; relative error below 1e-13 (of the
 /// larger term where terms cancel).
 Kernels fast_kernels(double distance);
 

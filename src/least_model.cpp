@@ -27,23 +27,6 @@ namespace {
 
 Border border_of(const Carter& c) { return {2 * c.slip_half_width, 2 * c.b}; }
 
-double traction_of(const Carter& c) { return c.friction * c.slip_half_width * (1 + c.b); }
-
-/// The ten Legendre coefficients of Carter's h.
-VectorXd carter_h(const Border& at, double friction) {
-  const Rule& rule = gauss_legendre(10);
-  VectorXd h(10);
-  for (Eigen::Index i = 0; i < 10; ++i)
-    h(i) = at.stick + at.slip * Place(1 + rule.x(i), 1 - rule.x(i)).t();
-  return 4 * friction / (pi * pi) * (to_legendre(rule) * h);
-}
-
-Values carter_values(const Carter& c) {
-  Values x;
-  x << c.c0, 2 * c.slip_half_width, traction_of(c), c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
-  return x;
-}
-
 /// The limit @eq:fast-limit: y of the top, T* sqrt(Pe) / (f slip^1.5) there and its curvature, as
 /// Legendre series in 2 ell - 1.
 struct FastLimit {
@@ -110,7 +93,7 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   const Inverses inverses = invert(z, sides, f);
   const Loads load = loads(z, sides, inverses, f, h0);
   Values change = Values::Zero();
-  change(traction) = load.traction - traction_of(cold);
+  change(traction) = load.traction - carter_values(cold)(traction);
   change(creep_constant) = load.constant - cold.creep;
   change(creep) = change(creep_constant) - f * load.gamma0;
   change(load_ratio) = load.kappa - 1, change(gamma0) = load.gamma0;

@@ -53,6 +53,14 @@ MatrixXd to_legendre(const Rule& rule) {
   return (l + 0.5).matrix().asDiagonal() * rule.p.transpose() * rule.w.matrix().asDiagonal();
 }
 
+VectorXd carter_h(const Border& at, double friction) {
+  const Rule& rule = gauss_legendre(10);
+  VectorXd h(10);
+  for (Index i = 0; i < 10; ++i)
+    h(i) = at.stick + at.slip * Place(1 + rule.x(i), 1 - rule.x(i)).t();
+  return 4 * friction / (pi * pi) * (to_legendre(rule) * h);
+}
+
 Zones zones(const Border& border, const Rule& slip, const Rule& stick) {
   const Index n = slip.x.size(), m = stick.x.size();
   Zones z{border, slip.x, ArrayXd(n), {}, {}, {}, {}, VectorXd(n + m), VectorXd(n)};

@@ -87,6 +87,9 @@ struct Zones {
   Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
 };
 
+/// The ten Legendre coefficients of Carter's h.
+Eigen::VectorXd carter_h(const Border& at, double friction);
+
 /// The nodes of both zones for a border.
 Zones zones(const Border& border, const Rule& slip, const Rule& stick);
 

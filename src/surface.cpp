@@ -12,13 +12,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 SmoothFlux smooth_flux(const Carter& c) {
-  const Rule& rule = gauss_legendre(10);  // h is of degree nine
-  VectorXd h(10);
-  for (Index i = 0; i < 10; ++i) {
-    const double t = Place(1 + rule.x(i), 1 - rule.x(i)).t();
-    h(i) = 8 * c.friction / (pi * pi) * (c.b + c.slip_half_width * t);
-  }
-  return {2 * c.slip_half_width, 2 * c.b, to_legendre(rule) * h};
+  const Border at{2 * c.slip_half_width, 2 * c.b};
+  return {at.slip, at.stick, carter_h(at, c.friction)};
 }
 
 SmoothFlux smooth_flux(const CoupledSolution& x) {

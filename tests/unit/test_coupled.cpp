@@ -572,10 +572,9 @@ TEST(Coupled, AgreesWithConvergedReferences) {
 // The corners of the range in which eight digits are promised, against a tolerance of 1e-10; the
 // strongest heating has nothing better to be compared with, and is only solved.
 TEST(Coupled, HasEightDigitsInTheCorners) {
-  if (!thorough) GTEST_SKIP() << "no case of its own";
   int compared = 0;
   for (const Formulation formulation : both)
-    for (const double f : {0.1, 0.6})
+    for (const double f : thorough ? std::vector{0.1, 0.6} : std::vector{0.1})
       for (const double peclet : {1.0, 20000.0})
         for (const double heating : {0.0175, 3.0}) {
           const Scene scene{f, 0.8 * f, peclet, heating};
@@ -589,7 +588,7 @@ TEST(Coupled, HasEightDigitsInTheCorners) {
               << ", H = " << heating;
           ++compared;
         }
-  EXPECT_EQ(compared, 14);
+  EXPECT_EQ(compared, thorough ? 14 : 8);
 }
 
 // Vehicle dynamics asks for the force at a given creep; a border can be given as well. All three

@@ -16,7 +16,7 @@ using thermoroll::fast_temperature;
 namespace kernel = thermoroll::kernel;
 
 // The promise of fast_kernels.hpp.
-constexpr Real promised = 2e-13L;
+constexpr Real promised = 1e-13L;
 
 // 1e-12 to 1e12, 100 points a decade, both sides of every border of a cell of the tables, and the
 // places between where a polynomial errs most.
