@@ -9,7 +9,6 @@ namespace thermoroll {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
-using Eigen::VectorXd;
 
 SmoothFlux smooth_flux(const Carter& c) {
   const Border at{2 * c.slip_half_width, 2 * c.b};
