@@ -7,11 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "claims.hpp"
@@ -72,8 +74,15 @@ void conclude(const Solution& x) {
                  "corrected)\n");
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path place = fs::weakly_canonical(fs::absolute(a), none);
+  return a == b || (!place.empty() && place == fs::weakly_canonical(fs::absolute(b), none));
+}
+
 void run_solve(const Options& o) {
-  if (!o.profile.empty() && o.profile == o.output)
+  if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
     throw std::invalid_argument("--profile and --output are the same file, " + o.output);
   const auto [x, units, physical] = solve_case(read_case(o.of_case));
   std::vector<Answer> answers{{present(x, physical, read_format(o.format)), o.output}};

@@ -2,6 +2,8 @@
 #include "output.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 #include <system_error>
@@ -216,31 +217,70 @@ struct ProfileColumn {
   double unit;
 };
 
-/// A file, written aside from the place that it is to be renamed to; a device is in its place.
+/// How much of the text could be written; if not all, errno says why.
+std::size_t write_all(int file, const std::string& text) {
+  pollfd output{file, POLLOUT, 0};
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = write(file, text.data() + done, text.size() - done);
+    if (count >= 0)
+      done += static_cast<std::size_t>(count);
+    else if (errno == EAGAIN)
+      poll(&output, 1, -1);
+    else if (errno != EINTR)
+      break;
+  }
+  return done;
+}
+
+/// A file to be written: its name as given, that without links, and where it is written until it is
+/// whole. This is empty for a device, which is in its place.
 struct Written {
-  std::string file, aside, target;
+  std::string file, target, aside;
 };
 
-Written write_aside(const Answer& answer) {
+/// Create the file aside; its descriptor, or -1.
+int create_beside(Written& x) {
+  for (int k = 0;; ++k) {
+    const std::string name = x.target + '.' + std::to_string(getpid()) + '-' + std::to_string(k);
+    const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0) x.aside = name;
+    if (file >= 0 || errno != EEXIST) return file;
+  }
+}
+
+std::string end_of_links(fs::path file) {
   std::error_code none;
-  const std::string& file = answer.file;
-  const auto status = fs::status(file, none);
-  const bool special = fs::exists(status) && !fs::is_regular_file(status);
-  const std::string target = fs::is_regular_file(status) ? fs::canonical(file).string() : file;
-  const std::string aside = special ? target : target + ".tmp";
-  errno = 0;
-  std::ofstream out(aside, std::ios::binary);
-  out << answer.text;
-  out.close();
-  if (out) return {file, aside, target};
-  const int reason = errno;
-  if (!special) std::remove(aside.c_str());
-  throw std::system_error(reason, std::generic_category(), "cannot write " + file);
+  for (int links = 0; links < 40 && fs::is_symlink(file, none); ++links)
+    file = file.parent_path() / fs::read_symlink(file, none);
+  return file.string();
+}
+
+int open_aside(Written& x) {
+  const char* name = x.file.c_str();
+  struct stat old {};
+  const bool is_new = stat(name, &old) != 0;
+  if (!is_new && !S_ISREG(old.st_mode)) return open(name, O_WRONLY | O_TRUNC | O_CLOEXEC);
+  if (!is_new && access(name, W_OK) != 0) return -1;
+  x.target = end_of_links(x.file);
+  const int file = create_beside(x);
+  if (file >= 0 && !is_new) fchmod(file, old.st_mode & 07777U);
+  return file;
+}
+
+[[noreturn]] void cannot_write(const std::string& what, int reason) {
+  throw std::system_error(reason, std::generic_category(), "cannot write " + what);
+}
+
+void write_aside(Written& x, const std::string& text) {
+  const int file = open_aside(x);
+  if (file < 0) cannot_write(x.file, errno);
+  const int reason = write_all(file, text) < text.size() ? errno : 0;
+  if (close(file) != 0 || reason != 0) cannot_write(x.file, reason != 0 ? reason : errno);
 }
 
 void put_in_place(const Written& x) {
-  if (std::rename(x.aside.c_str(), x.target.c_str()) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot write " + x.file);
+  if (std::rename(x.aside.c_str(), x.target.c_str()) != 0) cannot_write(x.file, errno);
 }
 
 void take_back(std::size_t count) {
@@ -333,15 +373,11 @@ std::timed_mutex& writing() {
 }
 
 void print(const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = write(STDOUT_FILENO, text.data() + done, text.size() - done);
-    if (count < 0) {
-      const int reason = errno;
-      take_back(done);
-      throw std::system_error(reason, std::generic_category(), "cannot write to standard output");
-    }
-    done += static_cast<std::size_t>(count);
-  }
+  const std::size_t done = write_all(STDOUT_FILENO, text);
+  if (done == text.size()) return;
+  const int reason = errno;
+  take_back(done);
+  cannot_write("to standard output", reason);
 }
 
 void deliver(const std::vector<Answer>& answers) {
@@ -349,14 +385,14 @@ void deliver(const std::vector<Answer>& answers) {
   std::vector<Written> written;
   try {
     for (const Answer& answer : answers)
-      if (!answer.file.empty()) written.push_back(write_aside(answer));
+      if (!answer.file.empty())
+        write_aside(written.emplace_back(Written{answer.file, "", ""}), answer.text);
     for (const Answer& answer : answers)
       if (answer.file.empty()) print(answer.text);
     for (const Written& x : written)
-      if (x.aside != x.target) put_in_place(x);
+      if (!x.aside.empty()) put_in_place(x);
   } catch (...) {
-    for (const Written& x : written)
-      if (x.aside != x.target) std::remove(x.aside.c_str());
+    for (const Written& x : written) std::remove(x.aside.c_str());  // nothing, if it has none
     throw;
   }
 }

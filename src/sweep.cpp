@@ -44,21 +44,26 @@ class Lines {
 /// Nothing at the end of the file, or if stopped. Longer lines are cut to longest_line + 1.
 std::optional<std::string> Lines::next(const std::atomic<bool>& stop) {
   std::string line;
-  while (at_ < end_ || fill(stop)) {
+  const auto empty = [&] { return line.find_first_not_of(" \t\r") == std::string::npos; };
+  while (!stop && (at_ < end_ || fill(stop))) {
     const char c = buffer_[at_++];
     if (c != '\n' && line.size() <= longest_line) line += c;
-    if (c == '\n' && line.find_first_not_of(" \t\r") != std::string::npos) return line;
+    if (c == '\n' && !empty()) return line;
     if (c == '\n') line.clear();
   }
-  return line.empty() || stop ? std::nullopt : std::optional(line);
+  return stop || empty() ? std::nullopt : std::optional(line);
 }
 
 bool Lines::fill(const std::atomic<bool>& stop) {
   pollfd input{file_, POLLIN, 0};
-  for (int ready = 0; ready == 0; ready = poll(&input, 1, 100))
+  ssize_t count = -1;
+  while (count < 0) {
     if (stop) return false;
-  const ssize_t count = read(file_, buffer_.data(), buffer_.size());
-  if (count < 0) throw std::system_error(errno, std::generic_category(), "cannot read the table");
+    if (poll(&input, 1, 100) == 0) continue;
+    count = read(file_, buffer_.data(), buffer_.size());
+    if (count < 0 && errno != EAGAIN && errno != EINTR)
+      throw std::system_error(errno, std::generic_category(), "cannot read the table");
+  }
   at_ = 0, end_ = static_cast<std::size_t>(count);
   return count > 0;
 }
@@ -123,6 +128,7 @@ class Sweep {
   std::optional<std::string> take(long& row);
   void put(long row, Row done);
   void work();
+  void fail();
   void tell();
 
   Lines lines_;
@@ -170,14 +176,19 @@ void Sweep::put(long row, Row done) {
   moved_.notify_all();
 }
 
+/// In a handler, with writing() free.
+void Sweep::fail() {
+  const std::lock_guard<std::timed_mutex> lock(writing());
+  if (!stop_.exchange(true)) failure_ = std::current_exception();
+  moved_.notify_all();
+}
+
 void Sweep::work() {
   try {
     long row = 0;
     while (const std::optional<std::string> line = take(row)) put(row, answer(table_, *line));
   } catch (...) {
-    const std::lock_guard<std::timed_mutex> lock(writing());
-    if (!stop_.exchange(true)) failure_ = std::current_exception();
-    moved_.notify_all();
+    fail();
   }
 }
 
@@ -194,8 +205,8 @@ SweepCount Sweep::run(int jobs) {
   std::vector<std::thread> threads;
   try {
     for (int i = 0; i < jobs; ++i) threads.emplace_back([this] { work(); });
-  } catch (...) {  // no more threads to be had
-    stop_ = true, failure_ = std::current_exception();
+  } catch (...) {
+    fail();
   }
   for (std::thread& thread : threads) thread.join();
   if (failure_) std::rethrow_exception(failure_);

@@ -170,6 +170,8 @@ ProfileAndResultOrNeither() {
   refuses 1 "cannot write nowhere/p.csv" solve "${paper_case[@]}" --profile nowhere/p.csv
   refuses 2 "--profile and --output are the same file, one" \
     solve "${paper_case[@]}" --output one --profile one
+  refuses 2 "--profile and --output are the same file, ./one" \
+    solve "${paper_case[@]}" --output ./one --profile one
   status=0
   "$program" solve "${paper_case[@]}" "${profile[@]}" >/dev/full 2>err || status=$?
   [ $status -eq 1 ] || fail "status $status on a full device"
@@ -608,6 +610,40 @@ OutputFileIsReplacedAsAWhole() {
   [ "$(ls)" = "$(printf '%s\n' err expected file link out)" ] || fail "left behind: $(ls)"
 }
 
+# Neither that of another run nor any that might be taken for one that is being written.
+OutputTouchesNoOtherFile() {
+  local file
+  for file in result result.tmp p.csv.tmp; do echo mine >$file; done
+  run solve "${paper_case[@]}" --output result --profile result.tmp
+  [ $status -eq 0 ] && grep -q '^method' result && grep -q '^s,' result.tmp || fail "$(cat err result result.tmp)"
+  run solve "${paper_case[@]}" --output result.tmp --profile p.csv
+  [ $status -eq 0 ] && grep -q '^method' result.tmp && grep -q '^s,' p.csv || fail "$(cat err result.tmp p.csv)"
+  [ "$(cat p.csv.tmp)" = mine ] || fail "another file was changed"
+  ln -s nothing-yet link
+  run solve "${paper_case[@]}" --output link
+  [ -L link ] && grep -q '^method' nothing-yet || fail "not where the link leads to: $(ls -l)"
+  [ "$(ls)" = "$(printf '%s\n' err link nothing-yet out p.csv p.csv.tmp result result.tmp)" ] || fail "left behind: $(ls)"
+}
+
+# A new file is as others that are made, another keeps what it has; one that may not be written stays.
+OutputKeepsPermissions() {
+  echo old >private
+  echo old >guarded
+  chmod 2640 private
+  (umask 027 && "$program" solve "${paper_case[@]}" --output new)
+  "$program" solve "${paper_case[@]}" --output private
+  [ "$(stat -c %a new private | paste -sd' ')" = "640 2640" ] || fail "$(ls -l)"
+  chmod 444 guarded
+  chmod 777 "$scratch" .
+  cp "$program" program
+  status=0
+  powerless ./program solve "${paper_case[@]}" --output guarded 2>err || status=$?
+  [ $status -eq 1 ] || fail "status $status"
+  one_line "cannot write guarded: Permission denied"
+  [ "$(cat guarded)" = old ] || fail "the file was changed"
+  [ "$(ls)" = "$(printf '%s\n' err guarded new private program)" ] || fail "left behind: $(ls)"
+}
+
 UnwritableOutput() {
   refuses 1 "cannot write nowhere/file: No such file or directory" \
     solve "${paper_case[@]}" --output nowhere/file
@@ -615,10 +651,8 @@ UnwritableOutput() {
   refuses 1 "cannot write /dev/full: No space left on device" \
     temperature "${paper_case[@]}" --at 0 --output /dev/full
   refuses 1 "cannot write nowhere/file" figure-data kernels --output nowhere/file
-  mkdir blocked.tmp # where the new file would be written aside
-  echo old >blocked
-  refuses 1 "cannot write blocked" solve "${paper_case[@]}" --output blocked
-  [ "$(cat blocked)" = old ] || fail "the old file was changed"
+  ln -s loop loop
+  refuses 1 "cannot write loop/file: Too many levels" solve "${paper_case[@]}" --output loop/file
 }
 
 # Where nothing may be written, and where a file may not grow as large as it would. The program must

@@ -187,6 +187,9 @@ ForgivesSpreadsheets() {
   mv other scenes.csv
   sweeps 4
   cmp results.csv expected || fail "the missing line end makes a difference"
+  printf '\n \t\r' >>scenes.csv
+  sweeps 4
+  cmp results.csv expected || fail "a last line of blanks makes a difference"
 }
 
 # The header and each row are there before the next row is written.
@@ -293,6 +296,61 @@ ClosedPipe() {
   [ "$(cat status)" = 1 ] || fail "status $(cat status): $(cat err)"
   one_line "cannot write to standard output: Broken pipe"
   [ "$(wc -l <out)" = 3 ] || fail "$(cat out)"
+}
+
+# Of many slow rows, those are solved that were begun when the first could not be written.
+NobodyReadsNobodyWorks() {
+  { echo friction,traction,peclet,heating,method,nodes
+    yes 0.6,0.5,100,0.1,gauss-chebyshev,300 | head -24; } >scenes.csv
+  seconds() { # seconds COMMAND: of all processors
+    local TIMEFORMAT=%U
+    { time bash -c "$1" "$program" >/dev/null 2>&1; } 2>&1
+  }
+  local all few
+  all=$(seconds '"$0" sweep --jobs 2 <scenes.csv')
+  few=$(seconds '"$0" sweep --jobs 2 <scenes.csv | head -1')
+  awk -v all="$all" -v few="$few" 'BEGIN { exit !(all > 0 && few < all / 3) }' ||
+    fail "$few s of the $all s for all rows"
+}
+
+# A thread cannot be started, while the first row is being solved and another thread has come to the
+# end of the window: that one is woken. (LD_PRELOAD is cut at blanks.)
+FullWindowWhenThreadsRunOut() {
+  "${CXX:-c++}" -shared -fPIC -o "$scratch/few-threads.so" -x c++ - -ldl <<'END'
+#include <dlfcn.h>
+#include <pthread.h>
+#include <unistd.h>
+#include <cerrno>
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
+                              void* (*start)(void*), void* argument) {
+  static int count = 0;
+  if (++count == 4) return usleep(300000), EAGAIN;
+  const auto create = reinterpret_cast<decltype(&pthread_create)>(dlsym(RTLD_NEXT, "pthread_create"));
+  return create(thread, attributes, start, argument);
+}
+END
+  { echo friction,traction,peclet,heating,method,nodes
+    echo 0.6,0.5,100,0.1,gauss-chebyshev,1000
+    yes 0.6,0.7,100,1,, | head -3000; } >scenes.csv
+  status=0
+  LD_PRELOAD="$scratch/few-threads.so" timeout -s KILL 60 "$program" sweep --jobs 8 <scenes.csv >out 2>err || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "Resource temporarily unavailable"
+}
+
+# A reader that is slow to begin, through a pipe that does not wait for it, and such an input: `dd`
+# sets that for all who share them.
+WaitsWhereItMayNotBlock() {
+  { echo friction,traction,peclet; yes 0.6,0.7,100 | head -2000; } >scenes.csv
+  sweeps 4
+  cp results.csv expected
+  status=0
+  { { dd oflag=nonblock </dev/null 2>dd && "$program" sweep <scenes.csv 2>err; } || echo $? >status; } |
+    { sleep 1; cat >results.csv; }
+  [ "$(cat status)" = 4 ] || fail "status $(cat status): $(cat err)"
+  cmp results.csv expected || fail "other rows"
+  { sleep 0.3; cat scenes.csv; } | { dd iflag=nonblock count=0 of=dd 2>dd && "$program" sweep 2>err; } >results.csv || true
+  cmp results.csv expected || fail "other rows: $(cat err)"
 }
 
 # On a full device, and in a file that may not grow further. The rows in the file are whole.
