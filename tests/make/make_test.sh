@@ -130,6 +130,14 @@ MissingCommand() {
   PATH="$work/bin" make -n all >/dev/null 2>&1 || fail "gnuplot is not needed to build"
 }
 
+# Whatever capitals the name of the folder has, the chapters are tangled for the debugger as well.
+ConfiguresInFolderWithCapitals() {
+  mkdir "$work/My Project"
+  cp -r CMakeLists.txt paper src "$work/My Project"
+  cmake -S "$work/My Project" -B "$work/build" -DTHERMOROLL_LINES=ON >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  [ -s "$work/build/tangled/src/sweep.cpp" ] || fail "nothing was tangled"
+}
+
 MissingLibrary() {
   local pair
   for pair in Eigen3:libeigen3-dev GSL:libgsl-dev CLI11:libcli11-dev \

@@ -3,18 +3,18 @@
 # committed chapters are compared with the committed sources, as make has tangled the others before;
 # elsewhere, the files that are there.
 source tests/common.sh
-tangler="$PWD/paper/tangle.lua"
 
 # fresh: whether that holds of the project in this folder; the differences on stdout.
 fresh() {
-  local project=. taken
+  local project=$PWD taken
   taken=$(mktemp -d -p "$work")
   if is_checkout; then
     project="$taken/commit"
     mkdir "$project"
     git archive HEAD paper src | tar -xf - -C "$project"
   fi
-  TANGLE_ROOT="$taken" pandoc --preserve-tabs -f "$tangler" -t plain -o /dev/null "$project"/paper/*.md
+  # a relative name, as pandoc takes capitals out of that of a reader
+  (cd "$project" && TANGLE_ROOT="$taken" pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null paper/*.md)
   diff -r "$taken/src" "$project/src"
 }
 
@@ -23,6 +23,7 @@ fresh || fail "src/ is not what the chapters tangle to: run make, and commit src
 # A source that was not committed with its chapter, one that was changed by hand, and one that is no
 # longer told are found; work that is not committed yet is not.
 mkdir -p "$work/project/paper" "$work/project/src"
+cp paper/tangle.lua "$work/project/paper"
 cd "$work/project"
 told() { printf '``` {.cpp file=src/a.cpp}\nint %s;\n```\n' "$1" >paper/one.md; }
 written() { printf '// Tangled from paper/one.md; edit there.\nint %s;\n' "$1" >src/a.cpp; }
