@@ -15,14 +15,15 @@ chosen(tolerance, heating) = column('tolerance') == tolerance && column('heating
 line(digits, heating, i) = sprintf("data using (chosen(1e-%d, %g)):(seconds(strcol('name'))) " \
   ."with linespoints linetype %d pointtype 7 pointsize 0.4 title '10^{−%d}, H = %g'", \
   digits, heating, i, digits, heating)
-end(digits, heating) = sprintf("data using (chosen(1e-%d, %g) == 1e6 ? 1e6 : NaN):" \
-  ."(seconds(strcol('name'))):('10^{−%d}') with labels left offset 0.6,0 notitle", digits, heating, digits)
-panel(k, heating, title) = sprintf("set label 1 '%s' at graph 0, graph 1.08; ", title) \
+end(digits, heating, lift) = sprintf("data using (chosen(1e-%d, %g) == 1e6 ? 1e6 : NaN):" \
+  ."(seconds(strcol('name'))):('10^{−%d}') with labels left offset 0.6,%g notitle", \
+  digits, heating, digits, lift)
+panel(k, heating, title, apart) = sprintf("set label 1 '%s' at graph 0, graph 1.08; ", title) \
   .sprintf("set tmargin at screen %g; set bmargin at screen %g; plot ", 0.94 - k*0.46, 0.58 - k*0.46) \
-  .end(4, heating).', '.end(6, heating).', '.end(8, heating).', ' \
+  .end(4, heating, -0.3*apart).', '.end(6, heating, 0).', '.end(8, heating, 0.9*apart).', ' \
   .line(4, heating, 1).', '.line(6, heating, 2).', '.line(8, heating, 3)
 set multiplot
-eval panel(0, 0.0175, 'a. {/:Italic H} = 0.0175')
+eval panel(0, 0.0175, 'a. {/:Italic H} = 0.0175', 0)
 set xlabel 'Pe' offset 0,0.6
-eval panel(1, 1, 'b. {/:Italic H} = 1')
+eval panel(1, 1, 'b. {/:Italic H} = 1', 1)  # two curves meet at their end
 unset multiplot

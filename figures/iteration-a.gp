@@ -39,7 +39,7 @@ set ytics ('1' 0, '10' 1, '100' 2, '10^3' 3, '10^4' 4, '10^5' 5, '10^6' 6)
 # Each method has a colour, and its name beside a patch of it in the corner that was not tried. None is
 # a colour of the curves, which a dark page would lighten: the lines and the label on them are white.
 colours = "#00659C #56B4E9 #00916A #F0E442 #E69F00 #999999"
-names = "Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'grid too coarse'"
+names = "Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'not reached'"
 set palette maxcolors 6 defined (1 '#00659C', 2 '#56B4E9', 3 '#00916A', 4 '#F0E442', 5 '#E69F00', \
   6 '#999999')
 set cbrange [0.5:6.5]

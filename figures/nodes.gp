@@ -9,8 +9,10 @@ set logscale x
 set xtics (25, 50, 100, 200, 400, 800)
 set ytics 20
 set arrow from x_min, 100 to x_max, 100 nohead linetype 6
-set label 'largest temperature' at 25, 87
-set label '1 − {/:Italic κ}, Pe = 100' at 110, 72
+set label 'largest temperature,' at 25, 86
+set label 'Pe = 100' at 27, 76 point linetype 2 pointtype 9 pointsize 0.8 offset 0.8,0
+set label 'Pe = 4360' at 27, 67 point linetype 4 pointtype 13 pointsize 0.8 offset 0.8,0
+set label '1 − {/:Italic κ}, Pe = 100' at 115, 74
 set label '1 − {/:Italic κ}, Pe = 4360' at 240, 38
 share(peclet, what) = column("peclet") == peclet ? 100*column(what) : NaN
 curve(peclet, what, title, i, mark) = sprintf("data using 'n':(share(%g, '%s')) " \

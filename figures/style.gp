@@ -85,17 +85,17 @@ draw_family = 'plot for [i = 1:4] data using "s":(member("converged", i)) ' \
   .'for [i = 1:4] data using "s":(thinned(column("s"), member("printed", i))) ' \
   .'with points linetype 5 title label(i).", published scheme" noenhanced'
 
-# Each label stands on a short leader from its curve's end, lifted where it would touch the one
+# Each label stands on a short grey leader from its curve's end, lifted where it would touch the one
 # below; `order` has the indices of the values from the lowest curve up, the last one the symbol.
 level = -1e9
 lifted(height) = level = height > level + gap ? height : level + gap
-margin_label(i, text, height) = sprintf( \
-  "set arrow from x_max, %.6g to graph 1.035, first %.6g nohead linetype %d; " \
-  ."set label '%s' at graph 1.045, first %.6g", height, lifted(height), i, text, level)
+margin_label(text, height) = sprintf("set arrow from x_max, %.6g to graph 1.035, first %.6g " \
+  ."nohead linecolor rgb 'grey50' linewidth 0.4; set label '%s' at graph 1.045, first %.6g", \
+  height, lifted(height), text, level)
 label_family = 'set rmargin at screen 0.80; gap = 0.062*(y_max - y_min); do for [k = 1:4] { ' \
   .'i = int(word(order, k)); ' \
   .'stats data using (column("s") == x_max ? member("converged", i) : NaN) nooutput; ' \
-  .'eval margin_label(i, k < 4 ? word(values, i) : "{/:Italic ".symbol."} = ".word(values, i), ' \
+  .'eval margin_label(k < 4 ? word(values, i) : "{/:Italic ".symbol."} = ".word(values, i), ' \
   .'STATS_max) }'
 
 # The figures of the surface temperature are all such families, alike but for what they set before.

@@ -71,7 +71,7 @@ labels_of() {
     sliding) printf '%s\n' s 'T*' 'rolling, Q* = 0.5' 'rolling, Q* = 0.2' sliding ;;
     creep) printf '%s\n' 'ξ*' 'Q*' 'full sliding, Q* = f' 'converged, H = 0' 'published scheme, n = 200' ;;
     nodes)
-      printf '%s\n' n '% found' 'largest temperature' '1 − κ, Pe = 100' '1 − κ, Pe = 4360' ;;
+      printf '%s\n' n '% found' 'largest temperature,' 'Pe = 100' 'Pe = 4360' '1 − κ, Pe = 100' '1 − κ, Pe = 4360' ;;
     celsius)
       printf '%s\n' '°C' 'V, m/s' converged 'the paper' 'published scheme, n = 200' ;;
     speed-*)
@@ -79,7 +79,7 @@ labels_of() {
         'b. Largest temperature' 'c. Creep' '1 %' '1 ms' coupled thriftily 'means for samples' 'first order' 'closed form' ;;
     seen) printf '%s\n' 'the paper' Pe n '99.9 %' '99 %' '90 %' '50 %' '10 %' 'share seen' ;;
     iteration-?)
-      printf '%s\n' Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'grid too coarse' \
+      printf '%s\n' Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'not reached' \
         'ρ = 1' Pe 'f Pe H' ;;
     ends) printf '%s\n' 'relative distance' Pe 'slow limit' 'fast limit' ;;
     cost) printf '%s\n' Pe '0.1 ms' '10 ms' 'a. H = 0.0175' 'b. H = 1' 10−4 10−6 10−8 ;;
