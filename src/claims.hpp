@@ -51,7 +51,9 @@ double first_order_gamma0(double q);
 /// Speed V = 2 k Pe / a of the wheel on the rail, m/s, at a Péclet number > 0.
 double speed_at(double pe);
 
-/// Degrees C that T* = 1 is worth for the wheel on the rail at a Péclet number > 0.
+/// Degrees C that T* = 1 is worth for the wheel on the rail, at a speed in m/s and at a Péclet
+/// number, > 0.
+double celsius_per_unit(double speed);
 double celsius_per_unit_at(double pe);
 
 }  // namespace thermoroll
