@@ -3,7 +3,7 @@
 # the current one, and functions that run the program and look at its answers.
 source tests/common.sh
 program=$(realpath "$2")
-unoptimised=$(realpath "${3:-$2}")
+project=$PWD
 chapters=$(realpath paper)
 cd "$work"
 

@@ -5,6 +5,7 @@ source tests/common.sh
 unset MAKEFLAGS MFLAGS MAKELEVEL THERMOROLL_STARTED
 project=$PWD
 copy="$project/build/make-test/a copy"
+compiler="$project/build/make-test/a compiler"
 fakes="$work/fakes"
 mkdir "$fakes"
 
@@ -34,19 +35,23 @@ expect_steps() {
   diff <(printf '%s\n' "$@" | sort) <(steps "$log" | sort) || fail "not the steps expected: $(cat "$log")"
 }
 
-# The copy, with nothing left to do whatever case went before.
+# in_copy GOAL: the copy, with nothing left to do for this goal whatever case went before.
 in_copy() {
   cd "$copy"
-  make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  make "$1" >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 }
 
-# A copy of the project, built from nothing; data and figures are taken over to save the time.
+# A copy of the project, built from nothing; data and figures are taken over to save the time. It is
+# compiled without optimisation, which is faster; Sweep.SameWithoutOptimisation needs such a program.
 BuildsInFolderWithSpace() {
-  rm -rf "$copy"
-  mkdir -p "$copy"
+  rm -rf "$copy" "$compiler"
+  mkdir -p "$copy" "$compiler"
+  printf '#!/bin/sh\nexec %s "$@" -O0\n' "$(command -v "${CXX:-c++}")" >"$compiler/c++"
+  chmod +x "$compiler/c++"
   tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
   cd "$copy"
-  make all build/thermoroll-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  env -u CXX PATH="$compiler:$PATH" make all build/thermoroll-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  grep -qF "CMAKE_CXX_COMPILER:FILEPATH=$compiler/c++" build/release/CMakeCache.txt || fail "another compiler was used"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
   cp -r "$project/build/data" "$project/build/figures" build/
@@ -58,7 +63,7 @@ BuildsInFolderWithSpace() {
 }
 
 SecondRunDoesNothing() { # in the copy
-  in_copy
+  in_copy reproduce
   touch "$work/before"
   make reproduce >"$work/log"
   [ -z "$(steps "$work/log")" ] || fail "a second run worked: $(cat "$work/log")"
@@ -67,7 +72,7 @@ SecondRunDoesNothing() { # in the copy
 }
 
 ProseEditRewritesTheReportOnly() { # in the copy
-  in_copy
+  in_copy reproduce
   printf '\nOne sentence more.\n' >>paper/15-conclusions.md
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
@@ -80,7 +85,7 @@ ProseEditRewritesTheReportOnly() { # in the copy
 }
 
 FigureScriptEditRedrawsOneFigure() { # in the copy
-  in_copy
+  in_copy reproduce
   echo '# a comment' >>figures/slip.gp
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html'
@@ -89,7 +94,7 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
 # mends it.
 InterruptedRunLeavesNothingHalfWritten() { # in the copy
-  in_copy
+  in_copy figures
   local signal before
   fake gnuplot <<'END'
 for argument; do case $argument in *output=*) output=${argument##*output=\'}; output=${output%\'*};; esac; done
@@ -110,10 +115,12 @@ END
 
 # Figures drawn two at a time are the same figures.
 TwoJobsDrawTheSameFigures() { # in the copy
-  in_copy
+  in_copy figures
   mv build/figures "$work/one-job"
-  make -j2 reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  make -j2 figures >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   diff -r "$work/one-job" build/figures || fail "figures differ"
+  rm -r build/figures
+  mv "$work/one-job" build/figures # older than the report
 }
 
 # Without gnuplot: nothing is begun, and the package and the command that installs it are named.
@@ -177,7 +184,7 @@ SetupIsQuietWhenAllIsThere() {
 }
 
 SetupComesFirst() { # in the copy
-  in_copy
+  in_copy figures
   bare_debian
   fake apt-get <<<"echo install >>'$work/order'; sleep 0.3"
   fake gnuplot <<<"echo draw >>'$work/order'; exec $(command -v gnuplot) \"\$@\""
@@ -213,7 +220,7 @@ SetupWithoutDebian() {
 # The print has the text and the chunks, each once: the assembled files and the scripts, which repeat
 # or illustrate them, stay folded, and no box is drawn as a picture of its shades.
 PrintIsShort() { # in the copy
-  in_copy
+  in_copy report
   make pdf >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   local pages size
   pages=$(grep -ac '/Type /Page$' build/report.pdf)
@@ -245,7 +252,7 @@ same_answers() {
 
 # What make install puts there can be found by CMake and used, as the README shows.
 InstalledPackage() { # in the copy
-  in_copy
+  in_copy all
   local prefix="$work/prefix" user="$work/user" file
   make install PREFIX="$prefix" >/dev/null
   "$prefix/bin/thermoroll" --version
