@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -39,6 +42,29 @@ TEST(CelsiusFigure, MiddleValueIsOffTheSquareRoot) {
   EXPECT_LT(std::abs(paper.y[0] / at(converged, paper.x[0]) - 1), 0.04);
   EXPECT_GT(paper.y[1] / at(converged, paper.x[1]) - 1, 0.04);
   EXPECT_LT(std::abs(paper.y[2] / at(converged, paper.x[2]) - 1), 0.02);
+  EXPECT_LT(paper.y[2] / paper.y[1], 0.96 * std::sqrt(paper.x[2] / paper.x[1]));
+}
+
+// The text's count of what 64 unknowns do not reach is the map's, all of it at high speed.
+TEST(IterationFigure, GreyCellsAreCounted) {
+  const Table map = data("iteration-a"), other = data("iteration-b");
+  int grey = 0;
+  for (std::size_t row = 0; row < map.rows.size(); ++row) {
+    EXPECT_NE(other.text(row, "method"), "6");
+    if (map.text(row, "method") != "6") continue;
+    EXPECT_GT(map.number(row, "peclet"), 1000);
+    ++grey;
+  }
+  std::ifstream file(THERMOROLL_ROOT "/build/data/values.json");
+  const std::string values((std::istreambuf_iterator<char>(file)), {});
+  const auto missed = [&](const std::string& unknowns) {
+    std::smatch found;
+    const std::regex entry("\"missed_" + unknowns + "\": \"([0-9]+)\"");
+    return std::regex_search(values, found, entry) ? std::stoi(found[1]) : -1;
+  };
+  EXPECT_EQ(missed("64"), grey);
+  EXPECT_LT(missed("128"), missed("64"));
+  EXPECT_LT(missed("256"), missed("128"));
 }
 
 namespace {

@@ -102,6 +102,25 @@ TEST(Claims, CelsiusFollowTheSpeed) {
   EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(15000) * 0.00118511, 491.4, 0.05));
 }
 
+// The rises are at 75 m/s, and the loads below 700 degrees C are named as those that stay cold.
+TEST(Claims, PhaseTransformationIsJudgedAtEveryLoad) {
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit(75) * 0.00118511, 491.44 * 75 / 76.3636, 0.05));
+  const auto phases = std::find_if(claims().begin(), claims().end(), [](const Claim& c) {
+    return c.claim.find("phase transformation") != std::string::npos;
+  });
+  ASSERT_NE(phases, claims().end());
+  const std::regex number("[0-9]+");
+  std::vector<double> rises;
+  for (std::sregex_iterator i(phases->converged.begin(), phases->converged.end(), number), end;
+       i != end; ++i)
+    rises.push_back(std::stod(i->str()));
+  ASSERT_EQ(rises.size(), 5u) << "four rises and a Péclet number";
+  EXPECT_NEAR(rises[2], 482, 1);
+  EXPECT_LT(rises[2], 700);
+  EXPECT_GT(rises[3], 700);
+  EXPECT_EQ(phases->verdict, "holds, at Q* = 0.2, 0.4, 0.5, not at 0.59");
+}
+
 // The limits of the rule: half a per cent, and half a unit of the paper's last digit.
 TEST(Claims, NumbersHoldToHalfAPerCentOrRounded) {
   EXPECT_EQ(verdict_on("200", 200), "holds");
