@@ -92,22 +92,33 @@ labels_of() {
 # The height of the picture; all are 560 wide.
 height_of() { case $1 in speed-*) echo 900 ;; cost) echo 640 ;; *) echo 380 ;; esac; }
 
+# All that is a word, a number or true is asked for at once, as each question reads the file.
 check_svg() {
   local name=$1 file=$2 id=${1//-/_}
   wrong() { echo "$name: $*" >&2; return 1; }
-  xmllint --noout "$file" 2>/dev/null || wrong "not XML" || return
-  [ "$(query "$file" 'string(/*/@viewBox)')" = "0 0 560 $(height_of "$name")" ] || wrong "viewBox" || return
-  [ "$(query "$file" 'string(/*/*[local-name()="title"])')" = "$id" ] || wrong "title" || return
+  local plots="//*[starts-with(@id, '${id}_plot_')]"
+  local empty="[not(.//*[local-name()='path' or local-name()='polygon'][string-length(concat(@d, @points)) > 9]
+    or .//*[local-name()='use'] or .//*[local-name()='image'] or .//*[local-name()='text'])]"
+  local external="//@*[local-name()='href'][not(starts-with(., '#') or starts-with(., 'data:'))]"
+  # What gnuplot puts into a group of colour white would vanish on a light page.
+  local white="//*[@color='white']//*"
+  local question="/*/@viewBox, '|', /*/*[local-name()='title'], '|',
+    count($plots$empty), '|', count($external), '|', count($white)"
+  local labels label answer
+  mapfile -t labels < <(labels_of "$name")
+  for label in "${labels[@]}"; do
+    question+=", '|', boolean(//*[local-name()='text'][normalize-space(.) = '$label'])"
+  done
+  IFS='|' read -ra answer < <(query "$file" "concat($question)") || wrong "not XML" || return
+
+  [ "${answer[0]}" = "0 0 560 $(height_of "$name")" ] || wrong "viewBox" || return
+  [ "${answer[1]}" = "$id" ] || wrong "title" || return
   [ "$(wc -c <"$file")" -lt 300000 ] || wrong "too large" || return
 
-  local plots="//*[starts-with(@id, '${id}_plot_')]"
   local titles
   titles=$(query "$file" "$plots/*[local-name()='title']/text()")
   [ -n "$titles" ] && [ "$titles" = "$(curves_of "$name")" ] || wrong "curves: $titles" || return
-
-  local empty="[not(.//*[local-name()='path' or local-name()='polygon'][string-length(concat(@d, @points)) > 9]
-    or .//*[local-name()='use'] or .//*[local-name()='image'] or .//*[local-name()='text'])]"
-  [ "$(query "$file" "count($plots$empty)")" = 0 ] || wrong "an empty curve" || return
+  [ "${answer[2]}" = 0 ] || wrong "an empty curve" || return
 
   # No NaN or infinity among the coordinates, and none far outside of the picture.
   query "$file" '//@d | //@points | //@transform | //@x | //@y' | tr -c '0-9a-zA-Z.+\n-' ' ' | awk '
@@ -115,15 +126,10 @@ check_svg() {
     { gsub(/[A-Za-z]/, " "); for (i = 1; i <= NF; ++i) if ($i < -40 || $i > 1000) exit 1 }' ||
     wrong "a coordinate that is none" || return
 
-  [ "$(query "$file" 'count(//@*[local-name()="href"][not(starts-with(., "#") or starts-with(., "data:"))])')" = 0 ] ||
-    wrong "something external" || return
-
-  # What gnuplot puts into a group of colour white would vanish on a light page.
-  [ "$(query "$file" 'count(//*[@color="white"]//*)')" = 0 ] || wrong "something white" || return
-
-  local label
-  while read -r label; do
-    [ "$(query "$file" "count(//*[local-name()='text'][normalize-space(.) = '$label'])")" -gt 0 ] ||
-      wrong "label $label" || return
-  done < <(labels_of "$name")
+  [ "${answer[3]}" = 0 ] || wrong "something external" || return
+  [ "${answer[4]}" = 0 ] || wrong "something white" || return
+  local k
+  for k in "${!labels[@]}"; do
+    [ "${answer[k + 5]}" = true ] || wrong "label ${labels[k]}" || return
+  done
 }
