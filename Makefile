@@ -270,7 +270,7 @@ coverage: | build
 	  { cat build/coverage.log; exit 1; }
 	@for name in $$(build/coverage/thermoroll figure-data --list); do \
 	  build/coverage/thermoroll figure-data $$name --output build/coverage/data || exit 1; done
-	@sh tests/coverage.sh build/coverage
+	@bash tests/coverage.sh build/coverage
 
 ## tsan: sweeps under the thread sanitizer
 tsan: | build

@@ -122,10 +122,10 @@ int main(int argc, char** argv) {
   name_runs();
   name_curves();
   name_random_scenes();
-  for (const auto& [name, part] : {std::pair{"part/rays", part_rays},
-                                   {"part/sides", part_sides},
-                                   {"part/inverses", part_inverses},
-                                   {"part/hottest", part_hottest}})
+  for (const auto& [name, part] : {std::pair{"part/rays", &part_rays},
+                                   {"part/sides", &part_sides},
+                                   {"part/inverses", &part_inverses},
+                                   {"part/hottest", &part_hottest}})
     benchmark::RegisterBenchmark(name, part)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("carter", carters_problem)->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);

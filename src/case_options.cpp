@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 namespace thermoroll {
@@ -59,8 +60,12 @@ Approach read_approach(const CaseOptions& o) {
                         : o.method == "first-order" ? Method::first_order
                         : o.method == "closed-form" ? Method::closed_form
                                                     : Method::gauss_chebyshev;
-  const bool printed = o.formulation == "printed";
-  return {method, printed ? Formulation::printed : Formulation::corrected, o.nodes, o.tolerance};
+  Approach a;
+  a.method = method;
+  a.formulation = o.formulation == "printed" ? Formulation::printed : Formulation::corrected;
+  a.nodes = o.nodes.value_or(a.nodes);
+  a.tolerance = o.tolerance.value_or(a.tolerance);
+  return a;
 }
 
 /// The key in CLI11's two complaints, "INI was not able to parse KEY" and "KEY: This option ...".

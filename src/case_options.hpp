@@ -7,9 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "output.hpp"
+#include "scene.hpp"
 #include "solution.hpp"
-#include "timings.hpp"
 
 namespace thermoroll {
 
@@ -22,8 +21,8 @@ struct CaseOptions {
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
   std::string method = "auto", formulation = "corrected";
-  int nodes = 200;
-  double tolerance = 1e-6;
+  std::optional<int> nodes;
+  Maybe tolerance;
 };
 
 /// Declare the options of a case, which CLI11 will write to o.

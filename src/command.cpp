@@ -34,18 +34,36 @@ constexpr double most_points = 1000000;
                               "numbers A,B,... or one number");
 }
 
+/// The point i/n of the way from a to b.
+double between(double a, double b, double i, double n) {
+  const double s = ((n - i) * a + i * b) / n;
+  return std::isfinite(s) ? s : a * (1 - i / n) + b * (i / n);
+}
+
+bool is_key(const CLI::App& command, const std::string& name) {
+  return command.get_option_no_throw("--" + name) != nullptr && name != "output" &&
+         name != "profile";
+}
+
 class CaseFile : public CLI::ConfigBase {
  public:
   explicit CaseFile(const CLI::App& program) : program_(program) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
+    for (const char c : {'\xEF', '\xBB', '\xBF'})  // the byte-order mark
+      if (in.peek() == static_cast<unsigned char>(c)) in.get();
+    if (program_.get_subcommands().empty()) return {};  // which is refused next
+    const CLI::App& command = *program_.get_subcommands().front();
+    const std::vector<std::string> here{command.get_name()};
     std::vector<CLI::ConfigItem> known;
     std::set<std::string> seen;
     for (CLI::ConfigItem& item : ConfigBase::from_config(in)) {
       if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
-      if (item.parents.empty()) item.parents = {program_.get_subcommands().front()->get_name()};
-      if (!seen.insert(item.fullname()).second)
-        throw std::invalid_argument("the case file gives " + item.name + " twice");
+      if (item.parents.empty()) item.parents = here;
+      if (item.parents == here && !is_key(command, item.name))
+        throw std::invalid_argument("the case file sets what is no option for it: " + item.name);
+      if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
+        throw std::invalid_argument("the case file gives " + item.name + " more than once");
       known.push_back(item);
     }
     return known;
@@ -59,11 +77,15 @@ Format read_format(const std::string& name) {
   return name == "json" ? Format::json : name == "csv" ? Format::csv : Format::text;
 }
 
-void conclude(const Solution& x) {
+void conclude(const Solution& x, const CaseOptions& o) {
   require_contact(x);
+  const bool scheme = x.approach.method == Method::gauss_chebyshev;
+  if (scheme ? o.tolerance.has_value() : o.nodes.has_value())
+    std::fprintf(stderr, "thermoroll: note: %s makes no difference to --method %s\n",
+                 scheme ? "--tolerance" : "--nodes", o.method.c_str());
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
-  if (x.approach.method == Method::gauss_chebyshev && apart > 1)
+  if (scheme && apart > 1)
     std::fprintf(stderr,
                  "thermoroll: note: the nodes are %.3g kernel widths apart: load_ratio, gamma0 and "
                  "max_temperature are not resolved (see --method coupled)\n",
@@ -88,7 +110,7 @@ void run_solve(const Options& o) {
   std::vector<Answer> answers{{present(x, physical, read_format(o.format)), o.output}};
   if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
   deliver(answers);
-  conclude(x);
+  conclude(x, o.of_case);
 }
 
 void run_sweep(const Options& o) {
@@ -107,7 +129,7 @@ void run_temperature(const Options& o) {
   const std::vector<double> at = read_points(o.at);
   const auto [x, units, physical] = solve_case(read_case(o.of_case));
   deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
-  conclude(x);
+  conclude(x, o.of_case);
 }
 
 void run_figure_data(const Options& o) {
@@ -258,11 +280,10 @@ std::vector<double> read_points(const std::string& text) {
   }
   if (!grid) return parts;
   if (parts.size() != 3) refuse_points(text);
-  const double a = parts[0], b = parts[1], n = parts[2];
+  const double n = parts[2];
   if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(text);
-  std::vector<double> points(static_cast<std::size_t>(n));
-  double i = 0;
-  for (double& s : points) s = ((n - 1 - i) * a + i * b) / (n - 1), ++i;
+  std::vector<double> points;
+  for (double i = 0; i < n; ++i) points.push_back(between(parts[0], parts[1], i, n - 1));
   return points;
 }
 

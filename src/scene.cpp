@@ -31,8 +31,9 @@ PhysicalCase wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5,
 
 void require(bool allowed, const std::string& name, double value, const std::string& range) {
   if (allowed && std::isfinite(value)) return;
+  const bool say = !std::isfinite(value) && range != "finite";
   throw std::invalid_argument(name + " = " + shortest(value) + " is not allowed: it must be " +
-                              range);
+                              (say ? "finite and " : "") + range);
 }
 
 void check(const Scene& scene) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "least_model.hpp"
 #include "numbers.hpp"
@@ -265,7 +264,7 @@ double half_width_of_radius(PhysicalCase c, double radius, double friction, cons
     const double error = x.error ? x.error->load_ratio : 0;
     if (std::abs(kappa - before) <= 1e-9 * before + error) return c.half_width;
   }
-  throw NotConverged("no half-width found for radius = " + std::to_string(radius) + " m");
+  throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
 }
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {

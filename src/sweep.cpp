@@ -86,7 +86,7 @@ std::string as_option(std::string name) {
 
 /// The cells as read, then those fields that have no column among them, then the last two columns;
 /// fields that were not found are left empty.
-std::string with_results(const Table& table, std::vector<std::string> cells,
+std::string with_results(const SweepTable& table, std::vector<std::string> cells,
                          const std::vector<Field>& found, const std::string& status,
                          const std::string& error) {
   cells.resize(table.columns.size());
@@ -126,17 +126,17 @@ class Sweep {
 
  private:
   std::optional<std::string> take(long& row);
-  void put(long row, Row done);
+  void put(long row, SweepRow done);
   void work();
   void fail();
   void tell();
 
   Lines lines_;
-  Table table_;
+  SweepTable table_;
   std::mutex reading_;
   long taken_ = 0;
-  std::array<std::optional<Row>, 1000> window_;  // row k at k modulo its size
-  std::condition_variable_any moved_;            // with writing()
+  std::array<std::optional<SweepRow>, 1000> window_;  // row k at k modulo its size
+  std::condition_variable_any moved_;                 // with writing()
   SweepCount count_;
   bool progress_;
   std::chrono::steady_clock::time_point told_;
@@ -158,7 +158,7 @@ void Sweep::tell() {
   std::fprintf(stderr, "thermoroll: %s    \r", summary(count_).c_str());
 }
 
-void Sweep::put(long row, Row done) {
+void Sweep::put(long row, SweepRow done) {
   const long size = static_cast<long>(window_.size());
   const auto at = [&](long k) -> auto& { return window_[static_cast<std::size_t>(k % size)]; };
   std::unique_lock<std::timed_mutex> lock(writing());
@@ -245,15 +245,15 @@ CaseOptions read_row(const std::vector<std::string>& columns,
   return options.values;
 }
 
-Table table_of(const std::string& header) {
-  Table t{read_header(header), {}};
+SweepTable table_of(const std::string& header) {
+  SweepTable t{read_header(header), {}};
   std::optional<PhysicalResults> physical;
   if (std::any_of(t.columns.begin(), t.columns.end(), is_si_option)) physical.emplace();
   for (const Field& field : csv_fields(Solution{}, physical)) t.fields.push_back(field.name);
   return t;
 }
 
-Row answer(const Table& table, const std::string& line) {
+SweepRow answer(const SweepTable& table, const std::string& line) {
   const std::vector<std::string> cells = cells_of(line);
   std::vector<Field> found;
   try {

@@ -25,12 +25,12 @@ SweepCount sweep(int file, int jobs, bool progress);
 std::string summary(const SweepCount& x);
 
 /// The columns of a table: those read, and the names of the fields that a solved row has.
-struct Table {
+struct SweepTable {
   std::vector<std::string> columns, fields;
 };
 
 /// The columns of a table with this header. Throws std::invalid_argument.
-Table table_of(const std::string& header);
+SweepTable table_of(const std::string& header);
 
 /// The cells of a line, without what surrounds them.
 std::vector<std::string> cells_of(const std::string& line);
@@ -40,12 +40,12 @@ CaseOptions read_row(const std::vector<std::string>& columns,
                      const std::vector<std::string>& cells);
 
 /// A row of results and whether it is without an error.
-struct Row {
+struct SweepRow {
   std::string text;
   bool solved;
 };
 
 /// A line of the table, solved.
-Row answer(const Table& table, const std::string& line);
+SweepRow answer(const SweepTable& table, const std::string& line);
 
 }  // namespace thermoroll

@@ -25,7 +25,9 @@ double median(std::vector<double>& values) {
 nlohmann::json read_json(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("it cannot be read");
-  return nlohmann::json::parse(file);
+  nlohmann::json found = nlohmann::json::parse(file, nullptr, false);
+  if (found.is_discarded()) throw std::runtime_error("it is not JSON");
+  return found;
 }
 
 std::string duration(double seconds) {
@@ -164,6 +166,8 @@ Times read_times(const std::string& path) try {
   Times times;
   for (auto& [name, values] : all) times[name] = median(values);
   return times;
+} catch (const nlohmann::json::exception&) {
+  throw std::runtime_error(path + " is not the output of thermoroll-bench: it has other contents");
 } catch (const std::exception& error) {
   throw std::runtime_error(path + " is not the output of thermoroll-bench: " + error.what());
 }

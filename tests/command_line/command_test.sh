@@ -129,6 +129,11 @@ NotesOnStandardError() {
   notes 0 solve "${paper_case[@]}" --method closed-form --formulation printed
   notes 0 solve --friction 0.6 --traction 0.5 --peclet 5000 "${published[@]}"
   notes 1 solve --friction 0.6 --traction 0.5 --peclet 60 --heating 0.0175 "${published[@]}"
+  notes 1 solve "${paper_case[@]}" --nodes 200
+  grep -qF -- "--nodes makes no difference to --method auto" err || fail "$(cat err)"
+  notes 1 temperature "${paper_case[@]}" --nodes 200 --method closed-form --at 0
+  notes 1 solve --friction 0.6 --traction 0.5 --peclet 60 "${published[@]}" --tolerance 1e-6
+  grep -qF -- "--tolerance makes no difference to --method gauss-chebyshev" err || fail "$(cat err)"
 }
 
 # --- Profiles -------------------------------------------------------------------------------------
@@ -358,6 +363,8 @@ TemperatureGrid() {
     fail "the points are not the decimals"
   answers temperature "${paper_case[@]}" --at 1,-1,0.25
   [ "$(cut -d, -f1 out | paste -sd' ')" = "s 1 -1 0.25" ] || fail "$(cat out)"
+  answers temperature "${paper_case[@]}" --at 1e308:-1e308:3
+  [ "$(cut -d, -f1 out | paste -sd' ')" = "s 1e+308 0 -1e+308" ] || fail "$(cat out)"
 }
 
 BadPoints() {
@@ -432,6 +439,9 @@ CaseFile() {
   answers solve --config wheel.toml --format json --friction 0.6
   cmp out by-options || fail "the option does not take precedence"
   answers temperature --config wheel.toml --at 0.5
+  { printf '\xef\xbb\xbf'; sed 's/= 0.7/= 0.6/' wheel.toml; } >marked.toml
+  answers solve --config marked.toml --format json
+  cmp out by-options || fail "the byte-order mark makes another case"
 }
 
 BadCaseFiles() {
@@ -441,17 +451,22 @@ BadCaseFiles() {
     refuses 2 "$1" solve --config bad.toml --output written
     [ ! -e written ] || fail "a file was written"
   }
-  bad "solve.pecle" 'pecle = 100'
-  bad "solve.peclet 100" 'peclet 100'
-  bad "solve.at" $'peclet = 100\nat = 0.5'
+  bad "no option for it: pecle" 'pecle = 100'
+  bad "no option for it: peclet 100" 'peclet 100'
+  bad "no option for it: at" $'peclet = 100\nat = 0.5'
+  bad "no option for it: output" $'peclet = 100\noutput = "other"'
+  bad "no option for it: profile" $'[solve]\npeclet = 100\nprofile = "other"'
   bad "nowhere.peclet" $'[nowhere]\npeclet = 100'
   bad "help" $'peclet = 100\nhelp = true'
   bad "peclet = abc is not allowed: it must be a finite number" 'peclet = abc'
   bad "peclet = nan is not allowed: it must be a finite number" 'peclet = nan'
   bad "peclet =  is not allowed" 'peclet = '
   bad "peclet = -1 is not allowed" 'peclet = -1'
-  bad "gives friction twice" $'peclet = 100\nfriction = 0.6'
-  bad "--peclet needs exactly one value" 'peclet = [100, 200]'
+  bad "gives friction more than once" $'peclet = 100\nfriction = 0.6'
+  bad "gives peclet more than once" $'peclet = 100\npeclet = 100'
+  bad "gives peclet more than once" 'peclet = [100, 200]'
+  [ ! -e other ] || fail "a file was written"
+  refuses 2 "A subcommand is required" --config bad.toml
   refuses 2 "cannot read the case file nowhere.toml" solve --config nowhere.toml
   refuses 2 "cannot read the case file ." solve --config .
   refuses 2 "--config needs exactly one value" solve "${paper_case[@]}" --config
@@ -506,6 +521,8 @@ BadScenes() {
 END
   refuses 2 "traction = 0.7 is not allowed: it must be above 0 and below the friction, 0.6" \
     solve --friction 0.6 --traction 0.7 --peclet 100
+  refuses 2 "peclet = inf is not allowed: it must be finite and positive" \
+    solve "${steel[@]}" --half-width 1e308
   refuses 2 "traction = -0.5 is not allowed: it must be above 0 and below the friction (braking is not modelled)" \
     solve --friction 0.6 --traction -0.5 --peclet 100
   # no contact is found, rather than a wrong one
@@ -743,6 +760,11 @@ FigureData() {
   cmp file expected || fail "file and standard output differ"
   refuses 2 "NAME = kernel is not allowed: it must be one of geometry, kernels" figure-data kernel
   refuses 2 "NAME = ../kernels is not allowed" figure-data ../kernels
+  local words="is not the output of thermoroll-bench"
+  refuses 1 "/dev/null $words: it is not JSON" figure-data speed --times /dev/null
+  refuses 1 "nowhere $words: it cannot be read" figure-data speed --times nowhere
+  echo '{"benchmarks": 1}' >other
+  refuses 1 "other $words: it has other contents" figure-data speed --times other
 }
 
 ClaimsInThreeFormats() {

@@ -413,13 +413,27 @@ IgnoredSignalsStayIgnored() {
 # Only there, and not among the rows.
 ProgressOnATerminal() {
   write_scenes 50
-  script -qec "'$program' sweep <scenes.csv >results.csv" /dev/null </dev/null >terminal || true
+  on_terminal() { # on_terminal COMMAND: ends with the status 4
+    status=0
+    script -qec "$1" /dev/null </dev/null >terminal || status=$?
+    [ $status -eq 4 ] || fail "status $status: $(cat terminal)"
+  }
+  on_terminal "'$program' sweep <scenes.csv >results.csv"
   grep -q 'thermoroll: 200 rows, 50 with an error, [0-9]* rows/s, [0-9]* MB' terminal || fail "$(cat terminal)"
   [ "$(tr '\r' '\n' <terminal | grep -c 'rows/s')" -ge 2 ] || fail "nothing before the end: $(cat terminal)"
-  script -qec "'$program' sweep <scenes.csv" /dev/null </dev/null >terminal || true
+  on_terminal "'$program' sweep <scenes.csv"
   [ "$(tr '\r' '\n' <terminal | grep -c 'rows/s')" -eq 1 ] || fail "more than the end: $(cat terminal)"
   sweeps 4
   one_line "50 of 200 rows have an error"
+}
+
+# A sweep that fails, and one that tells of nothing, do not look like measurements.
+BenchmarkOfSweepsFailsWithThem() {
+  local other
+  for other in false true; do
+    ! bash "$project/tests/sweep-bench.sh" $other 10 >out 2>err || fail "$other was measured: $(cat out)"
+    [ -s err ] && [ ! -s out ] || fail "said: $(cat out err)"
+  done
 }
 
 # --- GNU parallel ---------------------------------------------------------------------------------

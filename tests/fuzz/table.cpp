@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream text(std::string(data, data + size));
   std::string line;
   std::getline(text, line);
-  Table table;
+  SweepTable table;
   if (!fuzz::done_or_refused<std::invalid_argument>([&] { table = table_of(line); })) return 0;
   const auto overlap =
       std::count_if(table.fields.begin(), table.fields.end(), [&](std::string name) {
@@ -45,7 +45,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       closed = c.approach.method == Method::closed_form;
     });
     if (read && !closed) continue;
-    const Row row = answer(table, line);
+    const SweepRow row = answer(table, line);
     if (row.solved && !read) fuzz::fail("solved what cannot be read: " + line);
     if (cells_in(row.text) != expected) fuzz::fail("no whole row: " + row.text);
   }

@@ -27,11 +27,11 @@ void expect_refusal(const Data& data, const std::string& name, double value,
     ADD_FAILURE() << name << " = " << value << " was accepted";
   } catch (const std::invalid_argument& refusal) {
     const std::string message = refusal.what();
-    const std::string start = name + " = ";
+    const std::string start = name + " = ", finite = std::isfinite(value) ? "" : "finite and ";
     ASSERT_EQ(message.rfind(start, 0), 0u) << message;
     const double shown = std::stod(message.substr(start.size()));
     EXPECT_TRUE(shown == value || (std::isnan(shown) && std::isnan(value))) << message;
-    EXPECT_NE(message.find("must be " + range), std::string::npos) << message;
+    EXPECT_NE(message.find("must be " + finite + range), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << "one line";
   }
 }

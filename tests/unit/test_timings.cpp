@@ -167,11 +167,14 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
 }
 
 TEST(Comparison, WhatDoesNotSettleFindsNothing) {
+  int runs = 0;
   for (const auto& run : thermoroll::runs(thermoroll::regimes[2]))
     if (run.name == "gauss_chebyshev_thrifty/n:100/Pe:100/H:1") {
       EXPECT_TRUE(std::isnan(run.find().load_ratio));
       EXPECT_TRUE(std::isnan(run.find().hottest));
+      ++runs;
     }
+  EXPECT_EQ(runs, 1);
 }
 
 // Hertz and Carter are constants in the solver's variables: only rounding is left, of at most some
