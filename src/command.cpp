@@ -40,6 +40,11 @@ double between(double a, double b, double i, double n) {
   return std::isfinite(s) ? s : a * (1 - i / n) + b * (i / n);
 }
 
+void skip_mark(std::istream& in) {
+  for (const int byte : {0xEF, 0xBB, 0xBF})
+    if (in.peek() == byte) in.get();
+}
+
 bool is_key(const CLI::App& command, const std::string& name) {
   return command.get_option_no_throw("--" + name) != nullptr && name != "output" &&
          name != "profile";
@@ -50,8 +55,7 @@ class CaseFile : public CLI::ConfigBase {
   explicit CaseFile(const CLI::App& program) : program_(program) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
-    for (const char c : {'\xEF', '\xBB', '\xBF'})  // the byte-order mark
-      if (in.peek() == static_cast<unsigned char>(c)) in.get();
+    skip_mark(in);
     if (program_.get_subcommands().empty()) return {};  // which is refused next
     const CLI::App& command = *program_.get_subcommands().front();
     const std::vector<std::string> here{command.get_name()};
@@ -77,15 +81,19 @@ Format read_format(const std::string& name) {
   return name == "json" ? Format::json : name == "csv" ? Format::csv : Format::text;
 }
 
-void conclude(const Solution& x, const CaseOptions& o) {
-  require_contact(x);
-  const bool scheme = x.approach.method == Method::gauss_chebyshev;
+void say_what_is_unused(const CaseOptions& o) {
+  const bool scheme = o.method == "gauss-chebyshev";
   if (scheme ? o.tolerance.has_value() : o.nodes.has_value())
     std::fprintf(stderr, "thermoroll: note: %s makes no difference to --method %s\n",
                  scheme ? "--tolerance" : "--nodes", o.method.c_str());
+}
+
+void conclude(const Solution& x, const CaseOptions& o) {
+  require_contact(x);
+  say_what_is_unused(o);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
-  if (scheme && apart > 1)
+  if (x.approach.method == Method::gauss_chebyshev && apart > 1)
     std::fprintf(stderr,
                  "thermoroll: note: the nodes are %.3g kernel widths apart: load_ratio, gamma0 and "
                  "max_temperature are not resolved (see --method coupled)\n",
