@@ -290,8 +290,9 @@ std::vector<double> read_points(const std::string& text) {
   if (parts.size() != 3) refuse_points(text);
   const double n = parts[2];
   if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(text);
-  std::vector<double> points;
-  for (double i = 0; i < n; ++i) points.push_back(between(parts[0], parts[1], i, n - 1));
+  std::vector<double> points(static_cast<std::size_t>(n));
+  double i = 0;
+  for (double& s : points) s = between(parts[0], parts[1], i++, n - 1);
   return points;
 }
 
