@@ -104,45 +104,39 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   return level;
 }
 
-/// Carter's traction for the given quantity, kept inside (0, f).
-double carter_traction_given(double friction, const Given& given) {
-  const double b = (1 + given.value) / 2;
-  const double q = given.quantity == border  ? friction * (1 - b * b)
-                   : given.quantity == creep ? carter_creep_curve(friction, given.value)
-                                             : given.value;
-  return std::clamp(q, 1e-9 * friction, (1 - 1e-9) * friction);
-}
-
 /// The border moved towards s = 1; the shorter zone keeps its digits.
 Border moved_by(const Border& x, double step) {
   const double slip = x.slip - step, stick = x.stick + step;
   return slip < stick ? Border{slip, 2 - slip} : Border{2 - stick, stick};
 }
 
-/// Solve with n unknowns for the given quantity; slope receives the derivative of all quantities
-/// with respect to it. No newton_steps where no solution is found.
+/// What a solution misses of what is given; a border is measured from the nearer end.
+double missing(const Level& x, const Given& given) {
+  if (given.quantity != border) return given.value - x.value(given.quantity);
+  return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
+}
+
+/// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
+/// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
+/// no solution is found.
 Level find_border(const Scene& scene, Formulation formulation, int n, const Given& given,
-                  Values& slope) {
-  const double f = scene.friction;
-  const double nearly = carter_traction_given(f, given), less = 1e-3 * std::min(nearly, f - nearly);
-  const Values here = carter_values(carter(f, nearly));
-  const Values below = carter_values(carter(f, nearly - less));
-  slope = (here - below) / (here(given.quantity) - below(given.quantity));
-  const double slip = here(slip_length);
-  Border at{slip, 2 - slip};
-  if (given.quantity == border) at = {1 - given.value, 1 + given.value};
-  Level level;
+                  Level level, Values& slope) {
+  Border at = level.at;
   for (int k = 0; k < 30; ++k) {
     const Level last = level;
     level = solve_level(scene, formulation, n, at, last);
+    if (level.newton_steps == 0 && k > 0) {
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2}, level = last;
+      continue;
+    }
     if (level.newton_steps == 0) break;
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     if (moved != 0) slope = (level.value - last.value) / moved;
     const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
-    double step = slope(border) * (given.value - level.value(given.quantity));
+    double step = slope(border) * missing(level, given);
     if (k > 0 && std::abs(step) <= near) return level;
     if (std::abs(step) < near) step = near;             // a second border, for the derivative
-    if (!(room > 1e-13 && std::isfinite(step))) break;  // it runs out of the contact
+    if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
   level.newton_steps = 0;
@@ -173,6 +167,15 @@ bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& 
   });
 }
 
+/// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
+void check_slips_in_part(const Scene& scene, Formulation formulation, double given) {
+  const Level full = solve_level(scene, formulation, 40, {2 - 1e-6, 1e-6}, {});
+  const double most = full.value(creep);
+  if (full.newton_steps > 0)
+    require(given < most, "creep", given,
+            "below " + shortest(most) + ", where the whole contact slips");
+}
+
 }  // namespace
 
 Values scale_of(const Values& v) {
@@ -188,6 +191,18 @@ Values carter_values(const Carter& c) {
   return values;
 }
 
+Values carter_slope(const Carter& c, Quantity by) {
+  const double step = 1e-3 * std::min(c.b, c.slip_half_width), half = c.slip_half_width - step;
+  const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
+  const Values change = carter_values(moved) - carter_values(c);
+  return change / change(by);
+}
+
+double rounding(const Given& given, const Values& slope, const Values& scale) {
+  if (given.quantity == border) return 0;  // both lengths are exact
+  return 1e-15 * (given.value * slope / scale).head(hottest + 1).abs().maxCoeff();
+}
+
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
   const Rules rules(n);
   const Zones z = zones({1 - c0, 1 + c0}, rules.slip, rules.stick);
@@ -196,62 +211,85 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) 
   return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
 }
 
-void check_given(const Scene& scene, double tolerance, const Given& given) {
-  Scene checked = scene;
-  checked.traction = scene.friction / 2;  // not used: given takes its place
-  check(checked);
-  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
-  require(given.quantity == traction || given.quantity == creep || given.quantity == border,
-          "given quantity", given.quantity, "traction, creep or border");
-  if (given.quantity == traction) check(Scene{scene.friction, given.value, 1, 0});
-  if (given.quantity == creep) require(given.value > 0, "creep", given.value, "positive");
+void check_given(Scene scene, const Given& given) {
+  const std::string no_braking = " (braking is not modelled)";
+  const double x = given.value;
+  const bool by_traction = given.quantity == traction;
+  scene.traction = by_traction && x > 0 ? x : scene.friction / 2;  // the latter passes the check
+  check(scene);
+  require(by_traction || given.quantity == creep || given.quantity == border, "given quantity",
+          given.quantity, "traction, creep or border");
+  if (by_traction) require(x > 0, "traction", x, "above 0 and below the friction" + no_braking);
+  if (given.quantity == creep) require(x > 0, "creep", x, "positive" + no_braking);
   if (given.quantity == border)
-    require(std::abs(given.value) < 1, "stick-slip-border", given.value, "between -1 and 1");
+    require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
+}
+
+Carter carter_given(double friction, const Given& given) {
+  check_given({friction, friction / 2, 1, 0}, given);
+  if (given.quantity == traction) return carter(friction, given.value);
+  const bool by_border = given.quantity == border;
+  const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
+  require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
+  const double b = by_border ? (1 + given.value) / 2 : 1 - half;
+  return {friction, b, half, b - half, 2 * friction / pi * half};
 }
 
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Given& given) {
-  check_given(scene, tolerance, given);
-  Values slope, change = Values::Zero();
-  Level level;
+  check_given(scene, given);
+  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
-  for (int n = easy ? 6 : 10; n <= 40 && (level.newton_steps == 0 || !level.violations.empty());
-       n *= 2)
-    level = find_border(scene, formulation, n, given, slope);
+  Given near = given;  // a creep beyond Carter's starts close to full slip
+  if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
+  const Carter cold = carter_given(scene.friction, near);
+  Values slope = carter_slope(cold, given.quantity);
+  Level level, tried;
+  level.at = {2 * cold.slip_half_width, 2 * cold.b};
+  for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
+       n *= 2) {
+    Values better = slope;
+    tried = find_border(scene, formulation, n, given, level, better);
+    if (tried.newton_steps > 0) level = tried, slope = better;
+    if (tried.newton_steps == 0 && given.quantity == creep)
+      check_slips_in_part(scene, formulation, given.value);
+  }
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
-                             shortest(level.at.c0()));
-  const auto corrected = [&]() -> Values {
-    return level.value + slope * (given.value - level.value(given.quantity));
+                             shortest(tried.at.c0()));
+  const auto corrected = [&] {
+    Values met = level.value + slope * missing(level, given);
+    met(given.quantity) = given.value;
+    return met;
   };
-  Values value = corrected();
-  CoupledSolution x;
+  Values value = corrected(), change = Values::Zero();
   double best = 1;
-  const int coarse = static_cast<int>(level.h.size());
-  for (int n = std::max(3 * coarse / 2, 5 * std::clamp(digits, 2, 6)); n <= most_unknowns;
-       n = n < most_unknowns ? std::min(2 * n, most_unknowns) : n + 1) {
+  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
+  for (;; n = std::min(2 * n, most_unknowns)) {
     const Level last = level;
-    const double step = slope(border) * (given.value - last.value(given.quantity));
+    const double step = slope(border) * missing(last, given);
     level = solve_level(scene, formulation, n, moved_by(last.at, step), last);
-    if (level.newton_steps == 0) {
+    if (level.newton_steps > 0) {
+      const Values before = value, scale = scale_of(level.value);
+      value = corrected();
+      const Values moved = (value - before).abs().max((value - level.value).abs());
+      change = (moved / scale).max(0.02 * change);
+      const double error =
+          estimate(change, tail(level.h), tail(last.h), n) + rounding(given, slope, scale);
+      CoupledSolution x{value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
+      x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
+      x.error(hottest_at) = level.at.slip * std::sqrt(error);  // the maximum is flat
+      if (error <= tolerance && same_places(level.violations, last.violations)) return x;
+      if (n > 64 && error > 0.5 * best && error > 100 * tolerance) break;  // it gets nowhere
+      best = error;
+    } else {
       level = last;
-      continue;
     }
-    const Values before = value, scale = scale_of(level.value);
-    value = corrected();
-    const Values moved = (value - before).abs().max((value - level.value).abs());
-    change = (moved / scale).max(0.02 * change);
-    const double error = estimate(change, tail(level.h), tail(last.h), n);
-    x = {value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
-    x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
-    x.error(hottest_at) = std::sqrt(error);  // the maximum is flat
-    if (error <= tolerance && same_places(level.violations, last.violations)) return x;
-    if (n > 64 && error > 0.5 * best && error > 100 * tolerance) break;  // it gets nowhere
-    best = error;
+    if (n == most_unknowns) break;
   }
   throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
-                           std::to_string(x.unknowns) + " unknowns");
+                           std::to_string(n) + " unknowns");
 }
 
 HeatFlux coupled_flux(const CoupledSolution& x) {

@@ -52,13 +52,26 @@ Values scale_of(const Values& v);
 /// The quantities without heat, but for the temperature.
 Values carter_values(const Carter& c);
 
-/// Refuse what solve_coupled does not take, by std::invalid_argument.
-void check_given(const Scene& scene, double tolerance, const Given& given);
+/// Their derivatives with respect to one of traction, creep and border, to about a thousandth.
+Values carter_slope(const Carter& c, Quantity by);
+
+/// What rounding of the given quantity changes in the others, at most, each relative to its scale;
+/// slope holds their derivatives with respect to it.
+double rounding(const Given& given, const Values& slope, const Values& scale);
+
+/// Refuse, by std::invalid_argument, data out of range and a given quantity that is not traction,
+/// creep or border, or not in its range; scene.traction is not used.
+void check_given(Scene scene, const Given& given);
+
+/// Carter's closed form for what is given; std::invalid_argument where check_given refuses it, or
+/// the creep is one at which the whole contact slips.
+Carter carter_given(double friction, const Given& given);
 
 /// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
 /// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
-/// border, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and hottest; that
-/// of hottest_at is the root of it. Throws std::invalid_argument for data out of range,
+/// border, slip_length, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and
+/// hottest; that of hottest_at is the length of the slip zone times the root of it. Throws
+/// std::invalid_argument for data out of range or a creep at which the whole contact slips,
 /// std::runtime_error where no solution is found or the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Given& given);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "numbers.hpp"
 #include "operators.hpp"
@@ -12,16 +13,6 @@ namespace thermoroll {
 
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
-
-Carter carter_given(double f, const Given& given) {
-  if (given.quantity == traction) return carter(f, given.value);
-  const double c0 = given.value;
-  if (given.quantity == border)
-    return {f, (1 + c0) / 2, (1 - c0) / 2, c0, 2 * f / pi * ((1 - c0) / 2)};
-  const double h = pi * given.value / (2 * f), b = 1 - h;
-  require(h < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
-  return {f, b, h, 2 * b - 1, given.value};
-}
 
 namespace {
 
@@ -64,19 +55,13 @@ Summit hottest_of_carter(const Border& at, double friction, double peclet, doubl
 }
 
 bool sticks_without_heat(double friction, const Given& given) {
-  return given.quantity != creep || pi * given.value < 2 * friction;
-}
-
-Carter carter_near(double friction, Given given) {
-  const double most = given.quantity == creep ? 2 * friction / pi : friction;
-  if (given.quantity != border)
-    given.value = std::clamp(given.value, 1e-9 * most, (1 - 1e-9) * most);
-  return carter_given(friction, given);
+  const double x = given.value, in_creep = given.quantity == creep ? pi / 2 : 1;
+  return given.quantity == border || (0 < x && in_creep * x < friction);
 }
 
 /// What Carter's heat does to Carter's solution, on a grid of n unknowns.
 struct Correction {
-  Border at;                          // of the corrected solution
+  Carter carter;                      // without the heat that is added here
   VectorXd h;                         // its values of h at the nodes
   Values value, cold;                 // all but the temperature, with heat and without
   double most, mean;                  // relative change of the flux, at any node and over the heat
@@ -97,19 +82,22 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   change(creep_constant) = load.constant - cold.creep;
   change(creep) = change(creep_constant) - f * load.gamma0;
   change(load_ratio) = load.kappa - 1, change(gamma0) = load.gamma0;
-  const Carter c = carter_near(f, {given.quantity, given.value - change(given.quantity)});
+  const Given without{given.quantity, given.value - change(given.quantity)};
+  const bool near = sticks_without_heat(f, without);
+  const Carter c = near ? carter_given(f, without) : cold;
   const double unit = 4 * f / (pi * pi);  // h = unit sigma without heat
   const ArrayXd sigma = z.border.stick + z.border.slip * z.t, flat = unit * sigma;
   const ArrayXd p = 2 / pi + (inverses.p * h0).array(), v = 2 * f / pi + (inverses.v * h0).array();
   const ArrayXd gained = sigma * p * v - flat;
   Correction x;
-  x.at = border_of(c);
-  x.h = unit * (x.at.stick + x.at.slip * z.t) + gained;
-  change(heat) = x.at.slip * x.at.slip * z.heat.dot(gained.matrix());
+  const Border at = border_of(c);
+  x.h = unit * (at.stick + at.slip * z.t) + gained;
+  change(heat) = at.slip * at.slip * z.heat.dot(gained.matrix());
   x.most = gained.abs().maxCoeff() / flat.maxCoeff();
   x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
   x.violations = violations(factors(rules, z, sides, inverses, f, h0));
-  x.cold = carter_values(cold), x.value = carter_values(c) + change;
+  if (!near) x.most = x.mean = std::numeric_limits<double>::infinity();
+  x.carter = c, x.cold = carter_values(cold), x.value = carter_values(c) + change;
   return x;
 }
 
@@ -118,15 +106,17 @@ double largest_change(const Correction& x) {
   return std::max(change.head(heat + 1).maxCoeff(), x.mean);
 }
 
-CoupledSolution rung(const VectorXd& h, const Values& value, const Border& at, const Summit& top,
+CoupledSolution rung(const VectorXd& h, const Values& value, const Carter& c, const Summit& top,
                      double error, const Given& given) {
+  const Border at = border_of(c);
   CoupledSolution x;
   x.h = h, x.value = value, x.unknowns = static_cast<int>(h.size());
   x.value(hottest) = top.value;
   x.value(hottest_at) = at.c0() + at.slip * Place(1 + top.y, 1 - top.y).t();
   x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
-  const double miss = std::abs(value(given.quantity) - given.value);
-  x.error = (error + miss) * scale_of(x.value), x.error(hottest_at) = std::sqrt(error + miss);
+  const Values scale = scale_of(x.value);
+  const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
+  x.error = all * scale, x.error(hottest_at) = at.slip * std::sqrt(all);
   x.value(given.quantity) = given.value, x.error(given.quantity) = 0;
   return x;
 }
@@ -146,29 +136,34 @@ double expected_change(const Scene& scene, const Carter& c) {
 
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
                             const Given& given) {
-  const Correction left_out = correct(scene, formulation, given, 6);
-  const Border at = border_of(carter_given(scene.friction, given));
+  const Carter c = carter_given(scene.friction, given);
+  const Border at = border_of(c);
   const Summit top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
-  const double error = 1.5 * largest_change(left_out) + 0.1 * tolerance;
-  return rung(carter_h(at, scene.friction), left_out.cold, at, top, error, given);
+  const bool hot = scene.heating > 0;
+  const double left_out = hot ? largest_change(correct(scene, formulation, given, 6)) : 0;
+  const double error = 1.5 * left_out + 0.1 * tolerance;
+  return rung(carter_h(at, scene.friction), carter_values(c), c, top, error, given);
 }
 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Given& given) {
   const Correction x = correct(scene, formulation, given, 16);
   const VectorXd h = to_legendre(gauss_legendre(16)) * x.h;
-  const Summit near = fast_limit(x.at, scene.friction, scene.peclet);
-  const Summit top = climb(x.at.slip, scene.peclet, h, near, rays_for(tolerance));
+  const Border at = border_of(x.carter);
+  const Summit near = fast_limit(at, scene.friction, scene.peclet);
+  const Summit top = climb(at.slip, scene.peclet, h, near, rays_for(tolerance));
   const double r = std::max(largest_change(x), x.most);
-  const double error = 2 * r * r + 2e-3 * r + 0.1 * tolerance;
-  CoupledSolution solution = rung(h, x.value, x.at, top, error, given);
+  const double later = r < 1 ? r * r / (1 - r) : std::numeric_limits<double>::infinity();
+  const double error = 2 * later + 2e-3 * r + 0.1 * tolerance;
+  CoupledSolution solution = rung(h, x.value, x.carter, top, error, given);
   solution.violations = x.violations;
   return solution;
 }
 
 Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
                    const Given& given) {
-  check_given(scene, tolerance, given);
+  check_given(scene, given);
+  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const double guess = sticks_without_heat(scene.friction, given)
                            ? expected_change(scene, carter_given(scene.friction, given)) / 4
                            : 1;  // no closed form to start from

@@ -9,16 +9,12 @@
 
 namespace thermoroll {
 
-/// Carter's closed form for what is given (traction, creep or border); std::invalid_argument where
-/// there is none.
-Carter carter_given(double friction, const Given& given);
-
 /// How much heat is expected to change results, relatively, @eq:a-priori.
 double expected_change(const Scene& scene, const Carter& c);
 
-/// The rungs, as solutions of the coupled problem; errors include what the model leaves out. The
-/// closed form's h has ten terms, and no heat acts on its tractions. Arguments and refusals as for
-/// carter_given.
+/// The rungs, as solutions of the coupled problem; errors include what the model leaves out, and
+/// are infinite where heat is too strong for one linear correction. The closed form's h has ten
+/// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
                             const Given& given);
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,

@@ -267,10 +267,11 @@ Inverses invert(const Zones& z, const ThermalSides& sides, double friction) {
 
 Loads loads(const Zones& z, const ThermalSides& sides, const Inverses& x, double friction,
             const VectorXd& h) {
-  const double a0 = z.border.stick / 2, kappa = 1 + x.kappa.dot(h);
+  const double a0 = z.border.stick / 2, more = x.kappa.dot(h), kappa = 1 + more;
+  const double lost = (1 + a0) * z.border.slip / 2 - more * a0 * a0;  // 1 - kappa a0^2
   const ArrayXd g = (sides.g.bottomRows(z.d.size()) * h).array() * z.over_w;
   return {kappa, x.gamma0.dot(h), g.sum() / pi + friction * kappa / pi * z.border.slip,
-          friction * (1 - kappa * a0 * a0) + ((a0 - z.d) * g).sum()};
+          friction * lost + ((a0 - z.d) * g).sum()};
 }
 
 Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double right, double gap,

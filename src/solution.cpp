@@ -15,22 +15,10 @@ namespace thermoroll {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-const std::string no_braking = " (braking is not modelled)";
 
 double& the_given_one(Results& x, const Given& given) {
   if (given.quantity == creep) return x.creep;
   return given.quantity == border ? x.stick_slip_border : x.traction;
-}
-
-void check_case(Scene scene, const Given& given) {
-  const double x = given.value;
-  const bool by_traction = given.quantity == traction;
-  scene.traction = by_traction && x > 0 ? x : scene.friction / 2;  // the latter passes the check
-  check(scene);
-  if (by_traction) require(x > 0, "traction", x, "above 0 and below the friction" + no_braking);
-  if (given.quantity == creep) require(x > 0, "creep", x, "positive" + no_braking);
-  if (given.quantity == border)
-    require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
 }
 
 Results named(const Values& x, double eccentricity) {
@@ -56,6 +44,8 @@ Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& 
   const double tolerance = approach.tolerance;
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
   const auto [model, reason, x] = choose(scene, approach, given);
+  if (!x.error.allFinite())
+    throw std::runtime_error(name_of(model) + ": heat is too strong for one linear correction");
   const Values &v = x.value, &e = x.error;
   const double kappa = v(load_ratio);
   const double drift = pi / (2 * kappa) * (e(gamma0) + std::abs(v(gamma0)) / kappa * e(load_ratio));
@@ -199,7 +189,7 @@ Peaks peaks_of(const Solution& solution, const CoupledSolution& x) {
 }  // namespace
 
 Solution solve(const Scene& scene, const Approach& approach, const Given& given) {
-  check_case(scene, given);
+  check_given(scene, given);
   if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
   if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
   if (given.quantity != traction)

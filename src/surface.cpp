@@ -29,11 +29,14 @@ double error_of_rays(int nodes, double change, double top) {
 
 SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s, double tolerance) {
   require(peclet > 0, "peclet", peclet, "positive");
+  require(tolerance >= 1e-12, "tolerance", tolerance, "at least 1e-12");
   for (const double place : s) require(true, "s", place, "finite");
   if (s.size() == 0) return {s, 0};
-  const Index every = s.size() / 40 + 1;
-  ArrayXd some((s.size() + every - 1) / every);
-  for (Index i = 0; i < some.size(); ++i) some(i) = s(i * every);
+  const Index every = s.size() / 40 + 1, own = (s.size() + every - 1) / every;
+  ArrayXd some(own + 8);
+  for (Index i = 0; i < own; ++i) some(i) = s(i * every);
+  const ArrayXd y = gauss_legendre(8).x;
+  for (Index i = 0; i < 8; ++i) some(own + i) = 1 - x.slip * (1 - Place(1 + y(i), 1 - y(i)).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
     return surface_temperature({x.slip, x.stick}, peclet, x.h, at, gauss_legendre(nodes));
   };

@@ -26,7 +26,7 @@ struct SurfaceCurve {
 };
 
 /// T* on the surface at every s. The error estimate, to which that of the flux is to be added, is
-/// below tolerance >= 1e-12 times the largest T*.
+/// below tolerance >= 1e-12 times the largest T*, or what rays of 480 nodes leave.
 SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const Eigen::ArrayXd& s,
                            double tolerance);
 

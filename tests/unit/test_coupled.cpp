@@ -656,8 +656,9 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
     EXPECT_TRUE(refuses(good, 1e-6, {thermoroll::border, value}, "stick-slip-border = ")) << value;
   for (const Quantity other : {thermoroll::load_ratio, thermoroll::heat, thermoroll::hottest})
     EXPECT_TRUE(refuses(good, 1e-6, {other, 0.5}, "given quantity = ")) << other;
-  // A creep at which the whole contact slips has no border, and without end heating nothing is
-  // found. It is said in one line that names the solver.
+  for (const double value : {0.38, 0.4, 1.0, 100.0})  // 2 f / pi is 0.382 without heat
+    EXPECT_TRUE(refuses(good, 1e-4, {thermoroll::creep, value}, "creep = ")) << value;
+  // Without end heating nothing is found. It is said in one line that names the solver.
   const auto unsolved = [](const Scene& scene, Formulation formulation, const Given& given) {
     try {
       const CoupledSolution x = solve_coupled(scene, formulation, 1e-4, given);
@@ -670,12 +671,39 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
                  : ::testing::AssertionFailure() << line;
     }
   };
-  for (const double creep : {0.4, 1.0, 100.0})
-    EXPECT_TRUE(unsolved(good, Formulation::corrected, {thermoroll::creep, creep})) << creep;
-  for (const double heating : {100.0, 1e6, 1e300})
+  for (const double heating : {1e4, 1e6, 1e300})
     EXPECT_TRUE(
         unsolved({friction, 0, 4360, heating}, Formulation::printed, {thermoroll::traction, 0.5}))
         << heating;
+}
+
+// Heat takes the limit of the creep with it: next to it, on this side, there is a border next to
+// full slip.
+TEST(Coupled, CreepEndsWhereAllSlips) {
+  for (const Formulation formulation : both)
+    for (const double heating : {0.0, 0.1, 1.0}) {
+      const Scene scene{friction, 0, 100, heating};
+      const CoupledSolution nearly =
+          solve_coupled(scene, formulation, 1e-8, {thermoroll::border, -1 + 1e-4});
+      const double most = nearly.value(thermoroll::creep);
+      const CoupledSolution x =
+          solve_coupled(scene, formulation, 1e-8, {thermoroll::creep, (1 - 1e-3) * most});
+      EXPECT_LT(x.value(thermoroll::border), -0.99) << heating;
+      EXPECT_THROW(solve_coupled(scene, formulation, 1e-8, {thermoroll::creep, (1 + 1e-3) * most}),
+                   std::invalid_argument);
+    }
+}
+
+// Strong heating in which the borders that coarse grids try have no solution, or one that is no
+// contact; the same contact is found from its border.
+TEST(Coupled, FindsWhatCoarseGridsMiss) {
+  for (const Scene& scene : {Scene{friction, 0.3, 1e5, 100}, Scene{friction, 0.06, 1e6, 100}}) {
+    const CoupledSolution x = solve(scene, Formulation::corrected, 1e-3);
+    EXPECT_TRUE(x.violations.empty()) << scene.peclet;
+    const CoupledSolution again = solve_coupled(scene, Formulation::corrected, 1e-3,
+                                                {thermoroll::border, x.value(thermoroll::border)});
+    EXPECT_TRUE(close(again.value(thermoroll::traction), scene.traction, 2e-3L)) << scene.peclet;
+  }
 }
 
 // Where ten unknowns find a root that is no contact, more of them find the contact: the border goes

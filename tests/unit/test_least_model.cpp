@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -123,6 +124,40 @@ TEST(LeastModel, WithoutHeatAllRungsAgree) {
   }
 }
 
+// Up to both ends of the range Carter's closed form is within the errors that every rung states, for
+// whatever is given. Carter's own rounding is added: four roundings, and what rounding of the given
+// value does.
+TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
+  for (double less = 0.25; less > 1e-12; less /= 10)
+    for (const double share : {less, 1 - less})
+      for (const auto quantity : {thermoroll::traction, thermoroll::creep, thermoroll::border}) {
+        const double f = 0.6;
+        const thermoroll::Carter c = thermoroll::carter(f, f * share);
+        const Given given{quantity, thermoroll::carter_values(c)(quantity)};
+        if (quantity == thermoroll::creep && given.value >= 2 * f / thermoroll::pi) continue;
+        const thermoroll::Carter exact = thermoroll::carter_given(f, given);
+        const Values closed = thermoroll::carter_values(exact);
+        const Values scale = thermoroll::scale_of(closed);
+        const double of_given =
+            thermoroll::rounding(given, thermoroll::carter_slope(exact, quantity), scale);
+        const Values own = scale * (of_given + 4 * std::numeric_limits<double>::epsilon());
+        const Scene scene{f, f / 2, 3, 0};
+        for (const double tolerance : {1e-3, 1e-6}) {
+          const CoupledSolution solutions[] = {
+              thermoroll::closed_form(scene, Formulation::corrected, tolerance, given),
+              thermoroll::first_order(scene, Formulation::corrected, tolerance, given),
+              thermoroll::solve_coupled(scene, Formulation::corrected, tolerance, given),
+              thermoroll::least_model(scene, Formulation::corrected, tolerance, given).solution};
+          for (int k = 0; k < 4; ++k)
+            for (int i = 0; i < thermoroll::hottest; ++i)
+              EXPECT_TRUE(close(solutions[k].value(i), closed(i), solutions[k].error(i) + own(i)))
+                  << "rung " << k << ", quantity " << i << ", given " << quantity << " = "
+                  << std::scientific << given.value << " at share " << share << ", tolerance "
+                  << tolerance;
+        }
+      }
+}
+
 // What both lower rungs say of their own error covers it, in every scene in which they are of use.
 TEST(LeastModel, FirstOrderErrorIsHonest) {
   Scenes scenes(2002);
@@ -214,5 +249,12 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
   EXPECT_THROW(solve(1e-3, {thermoroll::traction, 0.6}), std::invalid_argument);
   EXPECT_THROW(solve(1e-3, {thermoroll::creep, -0.1}), std::invalid_argument);
   EXPECT_THROW(solve(1e-3, {thermoroll::heat, 0.1}), std::invalid_argument);
-  EXPECT_THROW(solve(1e-3, {thermoroll::creep, 0.5}), std::runtime_error);  // all of it slips
+  EXPECT_THROW(solve(1e-3, {thermoroll::creep, 0.5}), std::invalid_argument);  // all of it slips
+  const auto rungs = {thermoroll::closed_form, thermoroll::first_order};
+  for (const auto rung : rungs)
+    for (const Given& given : {Given{thermoroll::hottest, 0.1}, Given{thermoroll::load_ratio, 0.1},
+                               Given{thermoroll::border, 2}, Given{thermoroll::creep, -0.1},
+                               Given{thermoroll::creep, 0.5}, Given{thermoroll::traction, 0.6}})
+      EXPECT_THROW(rung(scene, Formulation::corrected, 1e-3, given), std::invalid_argument)
+          << given.quantity << ' ' << given.value;
 }
