@@ -122,14 +122,14 @@ double missing(const Level& x, const Given& given) {
 Level find_border(const Scene& scene, Formulation formulation, int n, const Given& given,
                   Level level, Values& slope) {
   Border at = level.at;
-  for (int k = 0; k < 30; ++k) {
+  for (int k = 0, failed = 0; k < 30; ++k) {
     const Level last = level;
     level = solve_level(scene, formulation, n, at, last);
-    if (level.newton_steps == 0 && k > 0) {
+    if (level.newton_steps == 0) {
+      if (k == 0 || ++failed == 8) break;
       at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2}, level = last;
       continue;
     }
-    if (level.newton_steps == 0) break;
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     if (moved != 0) slope = (level.value - last.value) / moved;
     const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
