@@ -42,8 +42,10 @@ Summit fast_limit(const Border& at, double friction, double peclet) {
   return {p.dot(limit.y), unit * p.dot(limit.value), p.dot(limit.bend)};
 }
 
-const Rule& rays_for(double tolerance) {
-  return gauss_legendre(8 + 7 * static_cast<int>(std::ceil(-std::log10(tolerance))));
+const Rule& rays_for(double tolerance, double lambda) {
+  const double digits = std::ceil(-std::log10(tolerance));
+  const double decades = std::max(0.0, std::log10(lambda) - 4);
+  return gauss_legendre(8 + static_cast<int>(7 * digits + 3 * decades));
 }
 
 /// The hottest point for Carter's heat, to a tenth of the tolerance.
@@ -51,7 +53,7 @@ Summit hottest_of_carter(const Border& at, double friction, double peclet, doubl
   const double lambda = at.slip * peclet;
   const Summit fast = fast_limit(at, friction, peclet);
   if (1.3 / (lambda * lambda) < tolerance / 10) return fast;
-  return climb(at.slip, peclet, carter_h(at, friction), fast, rays_for(tolerance));
+  return climb(at.slip, peclet, carter_h(at, friction), fast, rays_for(tolerance, lambda));
 }
 
 bool sticks_without_heat(double friction, const Given& given) {
@@ -59,7 +61,7 @@ bool sticks_without_heat(double friction, const Given& given) {
   return given.quantity == border || (0 < x && in_creep * x < friction);
 }
 
-/// What Carter's heat does to Carter's solution, on a grid of n unknowns.
+/// What Carter's heat does to Carter's solution.
 struct Correction {
   Carter carter;                      // without the heat that is added here
   VectorXd h;                         // its values of h at the nodes
@@ -68,11 +70,13 @@ struct Correction {
   std::vector<Violation> violations;  // at the old border
 };
 
-Correction correct(const Scene& scene, Formulation formulation, const Given& given, int n) {
+Correction correct(const Scene& scene, Formulation formulation, const Given& given, int least) {
   const double f = scene.friction;
   const Carter cold = carter_given(f, given);
-  const Rules rules(n);
-  const Zones z = zones(border_of(cold), rules.slip, rules.stick);
+  const Border before = border_of(cold);
+  const double digits = std::max(0.0, std::log10(before.stick / before.slip) - 2);
+  const Rules rules(least + static_cast<int>(3 * digits));
+  const Zones z = zones(before, rules.slip, rules.stick);
   const VectorXd h0 = carter_h(z.border, f);
   const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), rules.ray);
   const Inverses inverses = invert(z, sides, f);
@@ -148,10 +152,11 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Given& given) {
   const Correction x = correct(scene, formulation, given, 16);
-  const VectorXd h = to_legendre(gauss_legendre(16)) * x.h;
+  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const Border at = border_of(x.carter);
   const Summit near = fast_limit(at, scene.friction, scene.peclet);
-  const Summit top = climb(at.slip, scene.peclet, h, near, rays_for(tolerance));
+  const Rule& rays = rays_for(tolerance, at.slip * scene.peclet);
+  const Summit top = climb(at.slip, scene.peclet, h, near, rays);
   const double r = std::max(largest_change(x), x.most);
   const double later = r < 1 ? r * r / (1 - r) : std::numeric_limits<double>::infinity();
   const double error = 2 * later + 2e-3 * r + 0.1 * tolerance;

@@ -13,7 +13,9 @@
 
 #include <Eigen/Core>
 
+#include "carter.hpp"
 #include "kernels.hpp"
+#include "least_model.hpp"
 #include "numbers.hpp"
 #include "operators.hpp"
 #include "quadrature.hpp"
@@ -89,6 +91,28 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   record.require("a solution is a contact", found.violations.empty());
   record.require("the work is bounded",
                  found.unknowns <= most_unknowns && found.newton_steps <= 100);
+}
+
+/// Without heat the solution is Carter's, but for a few roundings.
+void examine_without_heat(const Record& record, const Sample& x, const CoupledSolution& found) {
+  if (x.scene.heating > 0) return;
+  const Values closed = carter_values(carter(x.scene.friction, x.scene.traction));
+  const Values scale = scale_of(closed);
+  for (int i = 0; i < hottest; ++i)
+    record.within("without heat it is the closed form", found.value(i) - closed(i),
+                  found.error(i) + 1e-15 * scale(i));
+}
+
+/// A lesser model is off by no more than it says. The coupled solution's own error counts tenfold,
+/// which its estimate may be exceeded by.
+void examine_least_model(const Record& record, const Sample& x, const CoupledSolution& found) {
+  const Choice least =
+      least_model(x.scene, x.formulation, x.tolerance, {traction, x.scene.traction});
+  if (least.model == Model::coupled) return record.beside("the least model", "is the coupled one");
+  const Values off = (least.solution.value - found.value).abs();
+  const Values allowed = least.solution.error + 10 * found.error + 1e-15 * scale_of(found.value);
+  for (int i = 0; i <= hottest; ++i)
+    record.within("a lesser model is as good as it says", off(i), allowed(i));
 }
 
 bool same_bits(const Values& a, const Values& b) {
@@ -312,6 +336,8 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
     const CoupledSolution found = solve(x, x.scene.traction);
     record.outcome("solved");
     examine_results(record, x, found);
+    examine_without_heat(record, x, found);
+    examine_least_model(record, x, found);
     if (depth >= Depth::again) examine_again(record, x, found);
     if (depth < Depth::profiles) return;
     const Profile y = profile(x.scene, x.formulation, found);

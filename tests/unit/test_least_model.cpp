@@ -92,6 +92,38 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
     }
 }
 
+// The corrected temperature has no limit to lean on: with hardly any heat it is Carter's, by rays
+// of any number, at any speed.
+TEST(LeastModel, TemperatureOfTheFirstOrder) {
+  for (const double peclet : {1.0, 1e4, 1e6, 1e8})
+    for (const double share : {1e-3, 0.8, 1 - 1e-9})
+      for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
+        const Scene scene{0.6, 0.6 * share, peclet, 1e-12};
+        const Given given{thermoroll::traction, scene.traction};
+        const auto exact = thermoroll::closed_form(scene, Formulation::corrected, 1e-11, given);
+        const auto x = thermoroll::first_order(scene, Formulation::corrected, tolerance, given);
+        EXPECT_TRUE(close(x.value(thermoroll::hottest) / exact.value(thermoroll::hottest), 1,
+                          0.1 * tolerance + 1e-9))
+            << text(scene) << ", tolerance " << tolerance;
+      }
+}
+
+// Short slip zones take more unknowns; what is stated covers them.
+TEST(LeastModel, FirstOrderOnShortSlipZones) {
+  for (const Formulation formulation : both)
+    for (const double peclet : {1e2, 1e5, 1e8})
+      for (const double share : {1e-4, 1e-6, 1e-8, 1e-10}) {
+        Scene scene{0.6, 0.6 * share, peclet, 1};
+        const Given given{thermoroll::traction, scene.traction};
+        scene.heating =
+            3e-3 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
+        const auto x = thermoroll::first_order(scene, formulation, 1e-6, given);
+        const CoupledSolution exact = better(scene, formulation, 1e-8);
+        const Values off = (x.value - exact.value).abs() / (x.error + exact.error);
+        EXPECT_LE(off.head(thermoroll::hottest + 1).maxCoeff(), 1) << text(scene);
+      }
+}
+
 // Ten times less heat, a hundred times less error; the third order is at most the heating, and the
 // coupled solution is good to 1e-10, next to errors of 1e-6 and more.
 TEST(LeastModel, FirstOrderIsOfSecondOrder) {
@@ -124,9 +156,9 @@ TEST(LeastModel, WithoutHeatAllRungsAgree) {
   }
 }
 
-// Up to both ends of the range Carter's closed form is within the errors that every rung states, for
-// whatever is given. Carter's own rounding is added: four roundings, and what rounding of the given
-// value does.
+// Up to both ends of the range Carter's closed form is within the errors that every rung states,
+// for whatever is given. Carter's own rounding is added: four roundings, and what rounding of the
+// given value does.
 TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
   for (double less = 0.25; less > 1e-12; less /= 10)
     for (const double share : {less, 1 - less})
