@@ -74,8 +74,9 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   const double f = scene.friction;
   const Carter cold = carter_given(f, given);
   const Border before = border_of(cold);
-  const double digits = std::max(0.0, std::log10(before.stick / before.slip) - 2);
-  const Rules rules(least + static_cast<int>(3 * digits));
+  const double narrow = std::max(0.0, std::log10(before.stick / before.slip) - 2);
+  const double fast = std::max(0.0, std::log10(before.slip * scene.peclet) - 6);
+  const Rules rules(least + static_cast<int>(3 * narrow + 5 * fast));
   const Zones z = zones(before, rules.slip, rules.stick);
   const VectorXd h0 = carter_h(z.border, f);
   const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), rules.ray);
