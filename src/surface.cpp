@@ -33,10 +33,10 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
   for (const double place : s) require(true, "s", place, "finite");
   if (s.size() == 0) return {s, 0};
   const Index every = s.size() / 40 + 1, own = (s.size() + every - 1) / every;
-  ArrayXd some(own + 8);
+  ArrayXd some(own + 4);
   for (Index i = 0; i < own; ++i) some(i) = s(i * every);
-  const ArrayXd y = gauss_legendre(8).x;
-  for (Index i = 0; i < 8; ++i) some(own + i) = 1 - x.slip * (1 - Place(1 + y(i), 1 - y(i)).t());
+  const ArrayXd y = gauss_legendre(4).x;
+  for (Index i = 0; i < 4; ++i) some(own + i) = 1 - x.slip * (1 - Place(1 + y(i), 1 - y(i)).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
     return surface_temperature({x.slip, x.stick}, peclet, x.h, at, gauss_legendre(nodes));
   };

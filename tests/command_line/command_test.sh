@@ -169,7 +169,8 @@ ProfileAndResultOrNeither() {
   local profile=(--profile p.csv)
   refuses 2 "gauss-chebyshev has no profile" solve "${paper_case[@]}" --method gauss-chebyshev "${profile[@]}"
   refuses 2 "is not allowed" solve --friction 0.6 --traction 0.7 --peclet 100 "${profile[@]}"
-  refuses 1 "coupled: no solution found" solve --friction 0.6 --creep 0.5 --peclet 100 "${profile[@]}"
+  refuses 1 "coupled: no solution found" \
+    solve --friction 0.6 --traction 0.5 --peclet 100 --heating 1e6 "${profile[@]}"
   refuses 1 "cannot write nowhere/file" solve "${paper_case[@]}" --output nowhere/file "${profile[@]}"
   refuses 1 "cannot write nowhere/p.csv" \
     solve "${paper_case[@]}" --output result --profile nowhere/p.csv
