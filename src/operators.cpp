@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <new>
 
 #include <gsl/gsl_integration.h>
 
@@ -29,9 +30,13 @@ MatrixXd legendre(const ArrayXd& x, Index n) {
 
 static Rule make_rule(int n) {
   Rule rule{ArrayXd(n), ArrayXd(n), {}, {}, {}};
-  gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(n);
-  for (int i = 0; i < n; ++i)
-    gsl_integration_glfixed_point(-1, 1, i, &rule.x(i), &rule.w(i), table);
+  const auto size = static_cast<std::size_t>(n);
+  gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);
+  if (table == nullptr) throw std::bad_alloc();
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto k = static_cast<Index>(i);
+    gsl_integration_glfixed_point(-1, 1, i, &rule.x(k), &rule.w(k), table);
+  }
   gsl_integration_glfixed_table_free(table);
   rule.rho = (1 + rule.x) / 2, rule.cube = rule.rho.cube();
   const MatrixXd all = legendre(rule.x, n + 1);

@@ -15,7 +15,8 @@ struct Scene {
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
 };
 
-/// A rolling contact in SI units (@tbl:steel). All fields positive, poisson below 1/2.
+/// A rolling contact in SI units (@tbl:steel). All fields positive, but expansion and
+/// poisson may be zero; poisson below 1/2.
 struct PhysicalCase {
   double load;           ///< P, load per unit length, N/m
   double speed;          ///< V, rolling speed, m/s
