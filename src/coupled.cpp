@@ -101,6 +101,7 @@ Level solve_level(const Scene& scene, Formulation formulation, int n, const Bord
   level.value << at.c0(), at.slip, load.traction, load.constant, load.constant - f * load.gamma0,
       load.kappa, load.gamma0, heat, summit.value, at.c0() + at.slip * top.t();
   level.violations = violations(factors(rules, z, sides, x, f, h));
+  if (!level.value.allFinite()) level.newton_steps = 0;  // at speeds beyond all measure
   return level;
 }
 

@@ -314,7 +314,7 @@ Summit climb(double slip, double peclet, const VectorXd& h, const Summit& near, 
     const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
     if (step > 0) bend = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
-    const double move = -slope / bend, next = y + move;
+    const double move = std::clamp(-slope / bend, -0.3, 0.3), next = y + move;
     const bool known = step > 0 || near.value > 0;  // the curvature
     if ((known && std::abs(move) < 1e-5) || step == 60)
       return {next, now.value * (1 + slope * move / 2), bend};

@@ -10,6 +10,7 @@
 
 #include "carter.hpp"
 #include "least_model.hpp"
+#include "operators.hpp"
 #include "reference.hpp"
 #include "temperature.hpp"
 
@@ -89,6 +90,25 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
         EXPECT_TRUE(close(x.value(thermoroll::hottest_at), peak.at,
                           x.error(thermoroll::hottest_at) + peak.at_error));
       }
+    }
+}
+
+// Whatever the climb starts from, it ends at the top, and not at an end of the slip zone, where the
+// slope by y is zero as well. The rays' errors are the same for all starts; what is left is what
+// the last step, below 1e-5, leaves out.
+TEST(LeastModel, ClimbsFromAnywhere) {
+  const thermoroll::Rule& rays = thermoroll::gauss_legendre(64);
+  for (const double slip : {1e-9, 0.5, 1.999})
+    for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
+      const Eigen::VectorXd h = thermoroll::carter_h({slip, 2 - slip}, 0.6);
+      const double peclet = lambda / slip;
+      const thermoroll::Summit top = thermoroll::climb(slip, peclet, h, {}, rays);
+      for (const double y : {-0.5, 0.2, 0.356, 0.7})
+        for (const double bend : {-0.1, -0.7, -2.7, -20.0}) {
+          const auto again = thermoroll::climb(slip, peclet, h, {y, 1, bend}, rays);
+          EXPECT_TRUE(close(again.value / top.value, 1, 1e-9)) << lambda << ' ' << y << ' ' << bend;
+          EXPECT_TRUE(close(again.y, top.y, 2e-5)) << lambda << ' ' << y << ' ' << bend;
+        }
     }
 }
 
