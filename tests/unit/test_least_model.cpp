@@ -98,18 +98,26 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
 // the last step, below 1e-5, leaves out.
 TEST(LeastModel, ClimbsFromAnywhere) {
   const thermoroll::Rule& rays = thermoroll::gauss_legendre(64);
-  for (const double slip : {1e-9, 0.5, 1.999})
-    for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
-      const Eigen::VectorXd h = thermoroll::carter_h({slip, 2 - slip}, 0.6);
-      const double peclet = lambda / slip;
-      const thermoroll::Summit top = thermoroll::climb(slip, peclet, h, {}, rays);
-      for (const double y : {-0.5, 0.2, 0.356, 0.7})
-        for (const double bend : {-0.1, -0.7, -2.7, -20.0}) {
-          const auto again = thermoroll::climb(slip, peclet, h, {y, 1, bend}, rays);
-          EXPECT_TRUE(close(again.value / top.value, 1, 1e-9)) << lambda << ' ' << y << ' ' << bend;
-          EXPECT_TRUE(close(again.y, top.y, 2e-5)) << lambda << ' ' << y << ' ' << bend;
-        }
-    }
+  for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
+    const double slip = 0.5, peclet = lambda / slip;
+    const Eigen::VectorXd h = thermoroll::carter_h({slip, 2 - slip}, 0.6);
+    const thermoroll::Summit top = thermoroll::climb(slip, peclet, h, {}, rays);
+    for (double y = -0.9; y < 0.95; y += 0.01)
+      for (const double bend : {-0.3, -2.7}) {
+        const auto again = thermoroll::climb(slip, peclet, h, {y, 1, bend}, rays);
+        EXPECT_TRUE(close(again.value / top.value, 1, 1e-9)) << lambda << ' ' << y << ' ' << bend;
+        EXPECT_TRUE(close(again.y, top.y, 2e-5)) << lambda << ' ' << y << ' ' << bend;
+      }
+  }
+  // A secant from here would end 1e-5 from an end, and rest there.
+  const double f = 0.054926506659698594, q = 4.062535721915226e-10;
+  const Scene scene{f, q, 4302.672662329718, 0};
+  const auto top = [&](double tolerance) {
+    const Given given{thermoroll::traction, q};
+    return thermoroll::closed_form(scene, Formulation::corrected, tolerance, given)
+        .value(thermoroll::hottest);
+  };
+  EXPECT_TRUE(close(top(0.0068) / top(1e-9), 1, 0.00068));
 }
 
 // The corrected temperature has no limit to lean on: with hardly any heat it is Carter's, by rays
