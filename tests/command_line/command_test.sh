@@ -61,7 +61,7 @@ CoupledErrorsKeepTheTolerance() {
       case $key in
       creep | creep_constant | heat_integral | max_temperature) scale=$(value "$key") ;;
       eccentricity) scale=3.2 ;; # pi/2 of gamma0's, and a little of kappa's
-      max_temperature_at) scale=1000 ;;
+      max_temperature_at) scale=$(calculate "(1 - $(value stick_slip_border)) / sqrt($tolerance)") ;;
       *) scale=1 ;;
       esac
       awk -v e="$error" -v s="$scale" -v t=$tolerance 'BEGIN { exit !(e > 0 && e <= s * t) }' ||

@@ -50,8 +50,10 @@ BuildsInFolderWithSpace() {
   chmod +x "$compiler/c++"
   tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
   cd "$copy"
+  sed -i 's/"THERMOROLL_WERROR": "ON"/&, "THERMOROLL_TOGETHER": "ON"/' CMakePresets.json # half the time
   env -u CXX PATH="$compiler:$PATH" make all build/thermoroll-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   grep -qF "CMAKE_CXX_COMPILER:FILEPATH=$compiler/c++" build/release/CMakeCache.txt || fail "another compiler was used"
+  grep -qF "THERMOROLL_TOGETHER:BOOL=ON" build/release/CMakeCache.txt || fail "sources were not put together"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
   cp -r "$project/build/data" "$project/build/figures" build/
