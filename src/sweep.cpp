@@ -235,14 +235,15 @@ CaseOptions read_row(const std::vector<std::string>& columns,
   std::vector<std::string> arguments;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (!cells[i].empty()) arguments.push_back("--" + columns[i] + '=' + cells[i]);
-  thread_local RowOptions options;  // to declare them takes longer than to read a row
-  options.values = {};
+  thread_local std::optional<RowOptions> options;
+  if (!options || options->row.parse_order().size() > 10000) options.emplace();
+  options->values = {};
   try {
-    options.row.parse(arguments);
+    options->row.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(reworded(error, options.row.remaining()));
+    throw std::invalid_argument(reworded(error, options->row.remaining()));
   }
-  return options.values;
+  return options->values;
 }
 
 SweepTable table_of(const std::string& header) {
