@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <Eigen/LU>
 
 #include "kernels.hpp"
+#include "lanes.hpp"
 #include "scene.hpp"
 
 namespace thermoroll {
@@ -38,9 +40,9 @@ struct Table {
     const std::uint64_t inside = bits & ((std::uint64_t{1} << shift) - 1);
     const double u = static_cast<double>(inside) * (2.0 / (std::uint64_t{1} << shift)) - 1;
     const double* c = &coefficients[(cell * (degree + 1) + degree) * 4];
-    Eigen::Array4d sum = Eigen::Map<const Eigen::Array4d>(c);
-    for (int i = 0; i < degree; ++i) sum = sum * u + Eigen::Map<const Eigen::Array4d>(c -= 4);
-    return {sum(0), sum(1), sum(2), sum(3)};
+    Four sum = four(c);
+    for (int i = 0; i < degree; ++i) sum = sum * u + four(c -= 4);
+    return {sum[0], sum[1], sum[2], sum[3]};
   }
   static Kernels exact(double x) {
     return {kernel::N1(x), kernel::N2(x), kernel::N2(-x), kernel::M(-x)};
@@ -72,6 +74,11 @@ const Table& table() {
 }
 
 }  // namespace
+
+TWICE void fast_kernels(std::size_t n, const double* distance, Kernels* k) {
+  const Table& look_up = table();
+  for (std::size_t i = 0; i < n; ++i) k[i] = look_up(distance[i]);
+}
 
 Kernels fast_kernels(double distance) { return table()(distance); }
 

@@ -1,6 +1,8 @@
 // Tangled from paper/10-coupled-solver.md; edit there.
 #pragma once
 
+#include <cstddef>
+
 namespace thermoroll {
 
 /// The kernels at one distance x = |zeta|: N1(x), N2(x), N2(-x) and M(-x). (N1(-x) is zero, and
@@ -12,6 +14,9 @@ struct Kernels {
 /// The functions of kernels.hpp from a table, distance > 0; relative error below 1e-13 (of the
 /// larger term where terms cancel).
 Kernels fast_kernels(double distance);
+
+/// The same for n distances.
+void fast_kernels(std::size_t n, const double* distance, Kernels* k);
 
 /// The kernels N1 and N2 at one zeta.
 struct SlopeAndStrain {

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <vector>
 
 #include <gsl/gsl_integration.h>
 
 #include "fast_kernels.hpp"
+#include "lanes.hpp"
 
 namespace thermoroll {
 
@@ -94,13 +96,14 @@ template <int columns>
 using RayArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
 using RayArray = RayArrays<1>;
 using RayWeights = RayArrays<5>;
+using RaySums = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns + 24, 2>;
 using Sums = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 
 struct Ray {
   RayArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
-  /// Keep the first nodes, eight by eight, up to where zeta is by so much beyond the first.
+  /// Keep the first nodes, four by four, up to where zeta is by so much beyond the first.
   void cut(double reach) {
-    const Index heard = ((zeta < zeta[0] + reach).count() + 7) / 8 * 8;
+    const Index heard = ((zeta < zeta[0] + reach).count() + 3) / 4 * 4;
     for (RayArray* x : {&y, &zeta, &heat, &by_h, &by_dh})
       x->conservativeResize(std::min(heard, y.size()));
   }
@@ -133,68 +136,84 @@ void cast(Ray& ray, double peclet, double gap, double left, double right, const 
   ray.by_h = 3 * middle / omega * du * dy;
 }
 
+std::vector<Kernels> at_distances(const ArrayXd& zeta) {
+  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
+  fast_kernels(k.size(), zeta.data(), k.data());
+  return k;
+}
+
 /// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored ray.
 void weigh(const Ray& ray, RayWeights& weights) {
+  const std::vector<Kernels> kernels = at_distances(ray.zeta);
   weights.resize(ray.y.size(), 5);
   for (Index i = 0; i < ray.y.size(); ++i) {
-    const Kernels k = fast_kernels(ray.zeta(i));
+    const Kernels& k = kernels[static_cast<std::size_t>(i)];
     weights.row(i) << k.n1 * ray.heat(i), k.n1 * ray.by_h(i), k.n1 * ray.by_dh(i),
         k.n2_up * ray.heat(i), k.n2_down * ray.heat(i);
   }
 }
 
 /// Column l of sums receives the sums over a ray of its five weights times P_l(y), for all columns.
-void legendre_sums(const RayArray& y, const RayWeights& weights, Sums& sums) {
+TWICE void legendre_sums(const RayArray& y, const RayWeights& weights, Sums& sums) {
   RayArray now = RayArray::Ones(y.size()), next = y;
   for (Index l = 0; l < sums.cols(); ++l) {
-    const double down = 1 - 1 / static_cast<double>(l + 2);  // (l + 1) / (l + 2)
-    double a = 0, b = 0, c = 0, d = 0, e = 0;
-    for (Index i = 0; i < y.size(); ++i) {
-      const double p = now[i];
-      a += weights(i, 0) * p, b += weights(i, 1) * p, c += weights(i, 2) * p;
-      d += weights(i, 3) * p, e += weights(i, 4) * p;
-      now[i] = next[i], next[i] = (1 + down) * y[i] * next[i] - down * p;
+    const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
+    Four sum[5] = {};
+    for (Index k = 0; k < y.size(); k += 4) {
+      Four &p = four(&now[k]), &q = four(&next[k]);
+      for (Index w = 0; w < 5; ++w) sum[w] += four(&weights(k, w)) * p;
+      const Four then = up * four(&y[k]) * q - down * p;
+      p = q, q = then;
     }
-    sums.col(l) << a, b, c, d, e;
+    for (Index w = 0; w < 5; ++w) sums(w, l) = total(sum[w]);
   }
 }
 
-RowVectorXd by_derivatives(const RowVectorXd& sums) {
-  RowVectorXd x = RowVectorXd::Zero(sums.size());
-  for (Index l = 1; l < x.size(); ++l)
-    x(l) = (l > 1 ? x(l - 2) : 0) + static_cast<double>(2 * l - 1) * sums(l - 1);
+MatrixXd by_derivatives(const MatrixXd& sums) {
+  MatrixXd x = MatrixXd::Zero(sums.rows(), sums.cols());
+  for (Index l = 1; l < x.cols(); ++l) {
+    x.col(l) = static_cast<double>(2 * l - 1) * sums.col(l - 1);
+    if (l > 1) x.col(l) += x.col(l - 2);
+  }
   return x;
 }
 
-RowVectorXd mirrored(RowVectorXd sums) {
-  for (Index l = 1; l < sums.size(); l += 2) sums(l) = -sums(l);
+/// For each column c the sum of c(l) P_l(side y).
+TWICE RaySums series(double side, const RayArray& y, const MatrixXd& c) {
+  RaySums sums = RaySums::Zero(y.size(), c.cols());
+  RayArray x = side * y, now = RayArray::Ones(y.size()), next = x;
+  for (Index l = 0; l < c.rows(); ++l) {
+    const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
+    for (Index k = 0; k < y.size(); k += 4) {
+      Four &p = four(&now[k]), &q = four(&next[k]);
+      for (Index w = 0; w < c.cols(); ++w) four(&sums(k, w)) += c(l, w) * p;
+      const Four then = up * four(&x[k]) * q - down * p;
+      p = q, q = then;
+    }
+  }
   return sums;
 }
 
-/// The heat times h at the nodes of a ray to the right (side 1) or, mirrored, to the left (-1);
-/// eight nodes at a time, by Clenshaw's recurrence.
-RayArray heat_on(const Ray& ray, const VectorXd& h, double side) {
-  using Eight = Eigen::Array<double, 8, 1>;
-  RayArray heat(ray.y.size());
-  for (Index i = 0; i < heat.size(); i += 8) {
-    const Eight y = side * ray.y.segment<8>(i);
-    Eight now = Eight::Zero(), before = now;
-    for (Index l = h.size() - 1; l >= 0; --l) {
-      const double down = 1 / static_cast<double>(l + 1), next = 1 / static_cast<double>(l + 2);
-      const Eight sum = h(l) + (2 - down) * y * now - (1 - next) * before;
-      before = now, now = sum;
-    }
-    heat.segment<8>(i) = ray.heat.segment<8>(i) * now;
-  }
-  return heat;
+VectorXd derivative(const VectorXd& c) {
+  VectorXd d = VectorXd::Zero(c.size());
+  for (Index l = c.size() - 2; l >= 0; --l)
+    d(l) = static_cast<double>(2 * l + 1) *
+           (c(l + 1) + (l + 2 < c.size() ? d(l + 2) / static_cast<double>(2 * l + 5) : 0));
+  return d;
+}
+
+/// M(side zeta), zeta > 0.
+RayArray temperature_kernel(double side, const RayArray& zeta) {
+  const std::vector<Kernels> k = at_distances(zeta);
+  RayArray m(zeta.size());
+  for (Index i = 0; i < m.size(); ++i) m[i] = k[static_cast<std::size_t>(i)].m_down;
+  if (side > 0) m *= (-2 * zeta).exp();
+  return m;
 }
 
 /// The sum of M times the heat, at a distance from the start of the ray.
 double felt(const Ray& ray, const RayArray& heat, double side, double distance) {
-  double sum = 0;
-  for (Index i = 0; i < ray.y.size(); ++i)
-    sum += fast_temperature(side * (ray.zeta[i] + distance)) * heat[i];
-  return sum;
+  return (temperature_kernel(side, ray.zeta + distance) * heat).sum();
 }
 
 }  // namespace
@@ -206,43 +225,43 @@ double distance_of_share(double t) {
   return eta - (rise(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));
 }
 
-ArrayXd slope_at_nodes(const Rule& rule, const ArrayXd& values) {
-  const VectorXd coefficients = to_legendre(rule) * values.matrix();
-  ArrayXd slopes(values.size());
-  for (Index i = 0; i < slopes.size(); ++i)
-    slopes(i) = by_derivatives(rule.p.row(i)).dot(coefficients);
-  return slopes;
-}
-
 ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z, Index terms,
                            const Rule& rule) {
   const Index n = z.y.size(), m = z.d.size();
   const double slip = z.border.slip, peclet = scene.peclet * slip;
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
-  MatrixXd slope(n + m, terms), dslope(n, terms), strain = MatrixXd::Zero(n + m, terms);
+  ThermalSides x{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
   Ray ray;
   RayWeights weights;
   Sums sums(5, terms);
+  MatrixXd by_dh(n, terms);
+  RowVectorXd mirror = RowVectorXd::Ones(terms);
+  for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
   for (Index i = 0; i < n; ++i) {
     cast(ray, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
     weigh(ray, weights);
     legendre_sums(ray.y, weights, sums);
-    slope.row(i) = sums.row(0), dslope.row(i) = sums.row(1) + by_derivatives(sums.row(2));
-    strain.row(i) += sums.row(3), strain.row(n - 1 - i) += mirrored(sums.row(4));
+    x.f.row(i) = sums.row(0), x.df.row(i) = sums.row(1), by_dh.row(i) = sums.row(2);
+    x.g.row(i) += sums.row(3), x.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
   }
+  x.df += by_derivatives(by_dh);
   const ArrayXd gap = z.d / slip;
   cast(ray, peclet, gap.minCoeff(), 0, 2, rule);
-  MatrixXd n1(ray.y.size(), m), n2 = n1;
-  for (Index j = 0; j < m; ++j)
-    for (Index i = 0; i < ray.y.size(); ++i) {
-      const Kernels k = fast_kernels(ray.zeta(i) + peclet * (gap(j) - gap.minCoeff()));
-      n1(i, j) = k.n1, n2(i, j) = k.n2_up;
+  MatrixXd n1(m, ray.y.size()), n2 = n1;
+  const ArrayXd further = peclet * (gap - gap.minCoeff());
+  for (Index i = 0; i < ray.y.size(); ++i) {
+    const std::vector<Kernels> k = at_distances(ray.zeta(i) + further);
+    for (Index j = 0; j < m; ++j) {
+      const Kernels& at = k[static_cast<std::size_t>(j)];
+      n1(j, i) = at.n1, n2(j, i) = at.n2_up;
     }
+  }
   const MatrixXd heat = ray.heat.matrix().asDiagonal() * legendre(ray.y, terms);
-  slope.bottomRows(m) = n1.transpose() * heat, strain.bottomRows(m) = n2.transpose() * heat;
+  x.f.bottomRows(m).noalias() = n1 * heat, x.g.bottomRows(m).noalias() = n2 * heat;
   const double strength = scene.friction * scene.peclet * scene.heating * slip;
-  return {-sign * strength * slip * slope, -sign * strength * dslope,
-          strength * slip * (strain / pi + in_n * slope)};
+  x.g = strength * slip * (x.g / pi + in_n * x.f);
+  x.f *= -sign * strength * slip, x.df *= -sign * strength;
+  return x;
 }
 
 Inverses invert(const Zones& z, const ThermalSides& sides, double friction) {
@@ -263,9 +282,10 @@ Inverses invert(const Zones& z, const ThermalSides& sides, double friction) {
     in_p.row(i).tail(m) = -z.over_root.tail(m).array() / away;
     in_v.row(i) = z.over_w / away;
   }
-  x.p = in_p.rowwise().sum().asDiagonal() * sides.f.topRows(n) - in_p * sides.f;
-  x.p -= z.over_root.head(n).asDiagonal() * sides.df;
-  x.v = in_v * sides.g.bottomRows(m) - in_v.rowwise().sum().asDiagonal() * sides.g.topRows(n);
+  const VectorXd all_p = in_p.rowwise().sum(), less_v = -in_v.rowwise().sum();
+  x.p = all_p.asDiagonal() * sides.f.topRows(n) - z.over_root.head(n).asDiagonal() * sides.df;
+  x.v = less_v.asDiagonal() * sides.g.topRows(n);
+  x.p.noalias() -= in_p * sides.f, x.v.noalias() += in_v * sides.g.bottomRows(m);
   x.p = (x.p.rowwise() + 2 * x.kappa) / pi, x.v = (x.v.rowwise() + 2 * friction * x.kappa) / pi;
   return x;
 }
@@ -283,25 +303,16 @@ Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double
               const Rule& rule) {
   Warmth sum{0, 0};
   Ray ray;
+  MatrixXd both(h.size(), 2);
+  both << h, derivative(h);
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
     cast(ray, peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
     if (side > 0) ray.cut(20);
-    RayArray value = RayArray::Zero(ray.y.size()), slope = value, now = value + 1, before = value;
-    RayArray dnow = value, dbefore = value;
-    for (Index l = 0; l < h.size(); ++l) {
-      const double part = side < 0 && l % 2 == 1 ? -h(l) : h(l);
-      const double up = 2 - 1 / static_cast<double>(l + 1);  // (2l + 1) / (l + 1)
-      value += part * now, slope += part * dnow;
-      const RayArray next = up * ray.y * now - (up - 1) * before;  // P_{l+1}
-      dbefore += static_cast<double>(2 * l + 1) * now;             // P'_{l+1}
-      before = now, now = next, dnow.swap(dbefore);
-    }
-    for (Index i = 0; i < ray.y.size(); ++i) {
-      const double m = fast_temperature(side * ray.zeta(i));
-      sum.value += m * ray.heat(i) * value(i);
-      sum.slope += side * m * (ray.by_h(i) * value(i) + ray.by_dh(i) * slope(i));
-    }
+    const RaySums sums = series(side, ray.y, both);
+    const RayArray m = temperature_kernel(side, ray.zeta);
+    sum.value += (m * ray.heat * sums.col(0)).sum();
+    sum.slope += (m * (side * ray.by_h * sums.col(0) + ray.by_dh * sums.col(1))).sum();
   }
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
 }
@@ -331,21 +342,20 @@ Factors factors(const Rules& rules, const Zones& z, const ThermalSides& sides, c
   const double kappa = 1 + x.kappa.dot(h);
   const ArrayXd f = sides.f * h, g = sides.g.bottomRows(m) * h;
   const ArrayXd dx_dr = -rules.stick.w / (z.over_w * (z.d * (z.border.stick - z.d)).sqrt());
-  const ArrayXd df = dx_dr * slope_at_nodes(rules.stick, f.tail(m));
-  const ArrayXd dg = dx_dr * slope_at_nodes(rules.stick, g);
+  const MatrixXd to = to_legendre(rules.stick), slopes = by_derivatives(rules.stick.p);
+  const ArrayXd df = dx_dr * (slopes * (to * f.tail(m).matrix())).array();
+  const ArrayXd dg = dx_dr * (slopes * (to * g.matrix())).array();
   ArrayXd from_border(m + n), pressure(m + n), slip(m + n), s(m + n);
   from_border << -z.d, z.border.slip * z.t;
   const ArrayXd over_root = z.over_root.array();
   ArrayXd p = 2 * kappa - over_root.tail(m) * df, v = 2 * friction * kappa - z.over_w * dg;
   for (Index i = 0; i < m; ++i) {
-    for (Index j = 0; j < n; ++j)
-      p(i) -= over_root(j) * (f(j) - f(n + i)) / (z.border.slip * z.t(j) + z.d(i));
-    for (Index j = 0; j < m; ++j) {
-      if (j == i) continue;
-      const double apart = z.d(i) - z.d(j);
-      p(i) -= over_root(n + j) * (f(n + j) - f(n + i)) / apart;
-      v(i) -= z.over_w(j) * (g(j) - g(i)) / apart;
-    }
+    const ArrayXd to_slip = z.border.slip * z.t + z.d(i);
+    p(i) -= (over_root.head(n) * (f.head(n) - f(n + i)) / to_slip).sum();
+    ArrayXd apart = z.d(i) - z.d;
+    apart(i) = 1;  // where nothing is divided, as f - f is 0
+    p(i) -= (over_root.tail(m) * (f.tail(m) - f(n + i)) / apart).sum();
+    v(i) -= (z.over_w * (g - g(i)) / apart).sum();
   }
   p /= pi, v /= pi;
   pressure << p.reverse(), 2 / pi + (x.p * h).array();
@@ -360,7 +370,8 @@ ArrayXd surface_temperature(const Border& border, double peclet, const VectorXd&
   Ray first, last, ray;
   cast(first, peclet * slip, 0, 0, 2, rule), cast(last, peclet * slip, 0, 0, 2, rule);
   first.cut(20);
-  const RayArray at_first = heat_on(first, h, 1), at_last = heat_on(last, h, -1);
+  const RayArray at_first = first.heat * series(1, first.y, h);
+  const RayArray at_last = last.heat * series(-1, last.y, h);
   ArrayXd sums(s.size());
   for (Index i = 0; i < s.size(); ++i) {
     const double right = 1 - s(i);
@@ -375,7 +386,7 @@ ArrayXd surface_temperature(const Border& border, double peclet, const VectorXd&
       const auto from = [&](double behind, double ahead, double side) {
         cast(ray, peclet * slip, 0, behind, ahead, rule);
         if (side > 0) ray.cut(20);
-        return felt(ray, heat_on(ray, h, side), side, 0);
+        return felt(ray, ray.heat * series(side, ray.y, h), side, 0);
       };
       sums(i) = left < right ? from(near, far, 1) + from(far, near, -1)
                              : from(far, near, 1) + from(near, far, -1);

@@ -31,17 +31,14 @@ Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
 /// From values at the nodes to Legendre coefficients.
 Eigen::MatrixXd to_legendre(const Rule& rule);
 
-/// Slopes, at the nodes, of the polynomial with these values there.
-Eigen::ArrayXd slope_at_nodes(const Rule& rule, const Eigen::ArrayXd& values);
-
 /// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures.
 /// The fine grids are those of strong heating, which needs G and the rays as fine as h.
 struct Rules {
   explicit Rules(int n)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
-        ray(gauss_legendre(n > 64 ? n : 16 + n / 3)),
-        fine(gauss_legendre(24 + n)) {}
+        ray(gauss_legendre(n > 64 ? n : (59 + n) / 12 * 4)),
+        fine(gauss_legendre((27 + n) / 4 * 4)) {}
   const Rule &slip, &stick, &ray, &fine;
 };
 
@@ -135,13 +132,13 @@ Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left,
               double gap, const Rule& rule);
 
 /// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
-/// multiple of eight nodes.
+/// multiple of four nodes.
 Eigen::ArrayXd surface_temperature(const Border& border, double peclet, const Eigen::VectorXd& h,
                                    const Eigen::ArrayXd& s, const Rule& rule);
 
 /// The hottest point of the slip zone and T* there.
 struct Summit {
-  double y = 0.45, value = 0, bend = -1;  // bend: the second derivative of ln T by y
+  double y = 0.43, value = 0, bend = -3;  // bend: the second derivative of ln T by y
 };
 
 /// Find it from near by, to about 1e-8 in y.
