@@ -420,7 +420,8 @@ local function generated_table(div)
   for line in text:gmatch("[^\r\n]+") do rows:insert(csv_cells(line)) end
   local head = rows:remove(1)
   local function is_numeric(column)
-    return not rows:find_if(function(row) return not tonumber(row[column]) end)
+    return rows:find_if(function(row) return tonumber(row[column]) end)
+      and not rows:find_if(function(row) return not tonumber(row[column]) and row[column] ~= "–" end)
   end
   local aligns, widths = {}, {}
   for column in ipairs(head) do

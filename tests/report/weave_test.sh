@@ -212,7 +212,7 @@ ValuesAreInjected() {
 }
 
 TableFromData() {
-  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\n' >build/data/t.csv
+  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\n' >build/data/t.csv
   chapter <<'END'
 $$ e $$ {#eq:e}
 
@@ -221,7 +221,7 @@ The *caption*.
 :::
 END
   expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3'
-  expect_html '<td style="text-align: right;">−1</td>' '<code>c</code>'
+  expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>'
 }
 
 FiguresKeepTheirIdsApart() {
