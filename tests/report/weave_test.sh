@@ -157,6 +157,8 @@ Caption.
 :::
 END
   expect_error 'one.md:5: table tbl:t needs build/data/t.csv, which is missing'
+  sed -i 's|"t|"figures/measured/t|' one.md
+  expect_error 'one.md:5: table tbl:t needs figures/measured/t.csv, which is missing'
 }
 
 AllMistakesAtOnce() {
@@ -222,6 +224,10 @@ The *caption*.
 END
   expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3'
   expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>'
+  mkdir -p figures/measured
+  sed 's/plain/other/' build/data/t.csv >figures/measured/t.csv
+  sed -i 's|"t|"figures/measured/t|' one.md
+  expect 'Table 1. The caption.' 'other'
 }
 
 FiguresKeepTheirIdsApart() {
