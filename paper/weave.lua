@@ -175,6 +175,8 @@ local function code(inline)
   if inline.classes:includes("value") then
     return value_in_text(inline.text, "`" .. inline.text .. "`{.value}")
   end
+  if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("together") end -- an option
+  return inline
 end
 
 --- Pandoc would drop all TeX outside of formulas without a word.
