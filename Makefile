@@ -1,6 +1,6 @@
 # thermoroll: from the chapters in paper/ to the program, the data, the figures and the report.
 # `make help` lists the goals. Everything generated is in build/, but for src/, which is tangled and
-# committed, and figures/golden/, which only `make golden` writes.
+# committed, figures/golden/, which only `make golden` writes, and figures/measured/, `make sweep-bench`.
 
 MAKEFLAGS += --no-builtin-rules
 .DELETE_ON_ERROR:
@@ -214,7 +214,7 @@ build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figu
 
 revision = $(shell git describe --always --dirty 2>/dev/null)
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(data_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv) $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@pandoc $(chapters) -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings \
 	  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib \
@@ -303,9 +303,10 @@ bench: build/thermoroll-bench
 	@build/thermoroll-bench --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 
 SWEEP_ROWS ?= 10000 100000 1000000
-## sweep-bench: rows per second and memory of sweeps of SWEEP_ROWS rows
+## sweep-bench: rows per second and memory of sweeps of SWEEP_ROWS rows, for appendix F
 sweep-bench: build/thermoroll
-	@bash tests/sweep-bench.sh build/thermoroll $(SWEEP_ROWS)
+	@mkdir -p figures/measured
+	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
 
 ## golden: take today's data as the golden data of the tests, and the README's picture
 golden: $(data_files) build/figures/temperature-load.svg

@@ -1,11 +1,12 @@
 # Which iteration is the first to find the solution, over Péclet numbers and heatings, with the lines
-# on which the linearised steps stop contracting. figures/iteration-b.gp shares all of it.
+# on which the linearised steps stop contracting, and where the published scheme ends at what is no
+# contact. figures/iteration-b.gp shares all of it.
 if (!exists("name")) name = 'iteration-a'
 load ARG0[:strlen(ARG0) - strlen('iteration-a.gp')].'style.gp'
 
 # The grid in decades, whose scan lines gnuplot wants parted by blank lines.
 set table $rows
-plot data using (log10(column("peclet"))):(log10(column("strength"))):"method":"picard":"half" \
+plot data using (log10(column("peclet"))):(log10(column("strength"))):"method":"picard":"half":"scheme" \
   with table
 unset table
 set print $grid
@@ -50,9 +51,17 @@ do for [k = 1:6] {
     linecolor rgb word(colours, k)
   set label word(names, k) at graph 0.075, graph height font ',15'
 }
+# A scene where the scheme's last iterate is no contact is hatched by a diagonal.
+none(x) = column(6) >= 3 ? x - 0.1 : NaN
+do for [k = 0:2] {
+  set arrow from graph 0.018 + 0.013*k, graph 0.523 rto graph 0.013, -0.026 nohead linewidth 0.5
+}
+set label 'scheme: no contact' at graph 0.075, graph 0.51 font ',15'
 set label 'ρ = 1' at 2.6, 2.15 front textcolor rgb '#ffffff' font ',15'
 plot $grid using ($3 > 0 ? $1 : NaN):2:(0.1):(0.1):3 with boxxyerrorbars linecolor palette \
        fillstyle solid noborder title 'method', \
+     $grid using (none($1)):($2 + 0.1):(0.2):(-0.2) with vectors nohead linecolor rgb '#1a1a1a' \
+       linewidth 0.5 title 'the scheme ends at no contact', \
      $picard using 1:2 with lines linecolor rgb '#ffffff' linewidth 1.25 dashtype solid \
        title 'Picard contracts', \
      $half using 1:2 with lines linecolor rgb '#ffffff' linewidth 1.25 dashtype (4,4) \

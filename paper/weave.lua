@@ -5,15 +5,15 @@
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
 -- (all on one line; `-M revision=` may be left out). It reads, besides the chapters, build/data/*.csv,
--- build/data/values.json, build/figures/*.svg, figures/*.gp and paper/style.css, and puts all of it
--- into the page, which then needs no other file. What the chapters may write:
+-- build/data/values.json, build/figures/*.svg, figures/*.gp, figures/measured/*.csv and
+-- paper/style.css, and puts all of it into the page, which then needs no other file. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
 --   : Caption {#tbl:x}                                below a table
---   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv; the paragraph in
---                                                     it is the caption
+--   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
+--                                                     that csv names; the paragraph in it is the caption
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     or, if it rests on a time, build/data/speed.json
@@ -175,6 +175,8 @@ local function code(inline)
   if inline.classes:includes("value") then
     return value_in_text(inline.text, "`" .. inline.text .. "`{.value}")
   end
+  if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("together") end -- an option
+  return inline
 end
 
 --- Pandoc would drop all TeX outside of formulas without a word.
@@ -410,7 +412,8 @@ end
 
 local function generated_table(div)
   if not div.attributes.csv then return nil end
-  local id, path = div.identifier, "build/data/" .. div.attributes.csv
+  local id, path = div.identifier, div.attributes.csv
+  if not path:find("/", 1, true) then path = "build/data/" .. path end
   local text = read(path)
   if not text then
     complain("#" .. id, "table %s needs %s, which is missing", id, path)
@@ -420,7 +423,8 @@ local function generated_table(div)
   for line in text:gmatch("[^\r\n]+") do rows:insert(csv_cells(line)) end
   local head = rows:remove(1)
   local function is_numeric(column)
-    return not rows:find_if(function(row) return not tonumber(row[column]) end)
+    return rows:find_if(function(row) return tonumber(row[column]) end)
+      and not rows:find_if(function(row) return not tonumber(row[column]) and row[column] ~= "–" end)
   end
   local aligns, widths = {}, {}
   for column in ipairs(head) do

@@ -426,12 +426,47 @@ ProgressOnATerminal() {
   one_line "50 of 200 rows have an error"
 }
 
-# A sweep that fails, and one that tells of nothing, do not look like measurements.
+# A sweep that fails, and one that tells of nothing, do not look like measurements, and a table stays as
+# it was.
 BenchmarkOfSweepsFailsWithThem() {
   local other
+  echo kept >table
   for other in false true; do
-    ! bash "$project/tests/sweep-bench.sh" $other 10 >out 2>err || fail "$other was measured: $(cat out)"
+    ! bash "$project/tests/sweep-bench.sh" $other table 10 >out 2>err || fail "$other was measured: $(cat out)"
     [ -s err ] && [ ! -s out ] || fail "said: $(cat out err)"
+    [ "$(cat table)" = kept ] || fail "the table is another"
+  done
+}
+
+# measured TABLE ROWS...: the table has a row for either method and every number of rows; all has been
+# measured, and memory does not grow with the rows: 30 bytes of each row, kept, would be 30 MB.
+measured() {
+  local table=$1
+  shift
+  awk -F, -v sizes="$*" '
+    NR == 1 { wrong = $0 != "method,rows,rows/s,ms/row,MB,machine,date"; next }
+    { ++count; first[$1] = first[$1] ? first[$1] : $5 }
+    NF != 7 || !($3 > 0 && $4 > 0 && $5 > 0) || $5 > first[$1] + 10 || !$6 || $7 !~ /^20[0-9][0-9]-[0-9][0-9]-[0-9][0-9]$/ { wrong = 1 }
+    { split(sizes, size, " ") }
+    $1 != (NR % 2 ? "closed-form" : "default") || $2 != size[int(NR / 2)] { wrong = 1 }
+    END { exit wrong || count != 2 * split(sizes, size, " ") }' "$table"
+}
+
+BenchmarkMakesTheTable() {
+  bash "$project/tests/sweep-bench.sh" "$program" table 20 30 >out
+  measured table 20 30 || fail "$(cat table)"
+  cmp out table || fail "another table is printed"
+}
+
+MeasuredMemoryDoesNotGrow() {
+  local sizes="10000 100000 1000000" change
+  cp "$project/figures/measured/sweep.csv" table
+  measured table $sizes || fail "$(cat table)"
+  for change in '$d' '2s/,10000,/,1000,/' '6s/default,\([^,]*,[^,]*,[^,]*\),/default,\1,1/' \
+    '3s/form,10000,[^,]*/form,10000,0/' '1s/MB/kB/' '4s/,[^,]*$/,/'; do
+    sed "$change" table >other
+    ! cmp -s table other || fail "not damaged: $change"
+    ! measured other $sizes || fail "not seen: $change"
   done
 }
 

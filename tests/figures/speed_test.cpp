@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -65,6 +66,36 @@ TEST(IterationFigure, GreyCellsAreCounted) {
   EXPECT_EQ(missed("64"), grey);
   EXPECT_LT(missed("128"), missed("64"));
   EXPECT_LT(missed("256"), missed("128"));
+}
+
+// The hatching begins where the text says, at every speed.
+TEST(IterationFigure, SchemeLeavesTheContact) {
+  for (const std::string name : {"iteration-a", "iteration-b"}) {
+    const Table map = data(name);
+    std::map<std::string, int> hatched;
+    int settled = 0;
+    for (std::size_t row = 0; row < map.rows.size(); ++row) {
+      if (map.text(row, "method") == "0") continue;
+      const double rho = map.number(row, "picard"), end = map.number(row, "scheme");
+      const bool grey = map.text(row, "method") == "6", none = end >= 3;
+      const std::string& speed = map.text(row, "peclet");
+      SCOPED_TRACE(name + ": Pe = " + speed + ", f Pe H = " + map.text(row, "strength"));
+      EXPECT_GE(end, 1);
+      if (!grey && rho < 0.9) {
+        EXPECT_FALSE(none);
+      }
+      if (grey || rho > 2) {
+        EXPECT_TRUE(none);
+      }
+      hatched[speed] += none ? 1 : 0;
+      settled += end == 4 ? 1 : 0;
+    }
+    EXPECT_EQ(hatched.size(), 31u);
+    for (const auto& [speed, count] : hatched) EXPECT_GE(count, 3) << name << ", Pe = " << speed;
+    if (name == "iteration-a") {
+      EXPECT_GT(settled, 1);
+    }
+  }
 }
 
 namespace {

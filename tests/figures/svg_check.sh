@@ -43,7 +43,8 @@ curves_of() {
         for kernel in N1 N2 M; do echo "$kernel, $formula"; done
       done ;;
     seen) printf '%s\n' 'share seen' levels law 'range of the paper' ;;
-    iteration-?) printf '%s\n' method 'Picard contracts' 'half steps contract' ;;
+    iteration-?)
+      printf '%s\n' method 'the scheme ends at no contact' 'Picard contracts' 'half steps contract' ;;
     ends) printf '%s\n' 'from the fast limit' 'from the slow limit' ;;
     cycle) printf '%s\n' 'n = 90' steps 'n = 89' 'n = 91' ;;
     cost) # the ends of three curves and the curves, in both panels
@@ -80,7 +81,7 @@ labels_of() {
     seen) printf '%s\n' 'the paper' Pe n '99.9 %' '99 %' '90 %' '50 %' '10 %' 'share seen' ;;
     iteration-?)
       printf '%s\n' Picard 'Picard, half steps' Anderson Newton 'Newton, led' 'not reached' \
-        'ρ = 1' Pe 'f Pe H' ;;
+        'scheme: no contact' 'ρ = 1' Pe 'f Pe H' ;;
     ends) printf '%s\n' 'relative distance' Pe 'slow limit' 'fast limit' ;;
     cost) printf '%s\n' Pe '0.1 ms' '10 ms' 'a. H = 0.0175' 'b. H = 1' 10−4 10−6 10−8 ;;
     rungs) printf '%s\n' Pe H paper 10−2 10−3 10−6 ;;

@@ -157,6 +157,8 @@ Caption.
 :::
 END
   expect_error 'one.md:5: table tbl:t needs build/data/t.csv, which is missing'
+  sed -i 's|"t|"figures/measured/t|' one.md
+  expect_error 'one.md:5: table tbl:t needs figures/measured/t.csv, which is missing'
 }
 
 AllMistakesAtOnce() {
@@ -190,14 +192,14 @@ END
   expect_html '<a href="#eq:a">(1)</a>' 'id="eq:a"' '<a href="#sec:last">' 'id="tbl:t"'
 }
 
-# What browsers draw otherwise than it is meant is written so that they do not.
+# What browsers draw or break otherwise than it is meant is written so that they do not.
 FormulasAreMended() {
   chapter <<'END'
-Inline $\mathrm{Pe}\,f(x) = -\ln|x|$ and $\Bigl(\frac12\Bigr)^k$, and
+By `--option`, `a-b`: inline $\mathrm{Pe}\,f(x) = -\ln|x|$ and $\Bigl(\frac12\Bigr)^k$, and
 $$ \begin{aligned} a &= \bigl[ b \bigr] \\ c &= (-1) + \left(\frac12\right) \end{aligned} $$
 END
   weave page.html one.md
-  expect_html '<mi mathvariant="normal">Pe</mi>' \
+  expect_html '<code class="together">--option</code>' '<code>a-b</code>' '<mi mathvariant="normal">Pe</mi>' \
     '<mo stretchy="false" form="prefix">(</mo><mi>x</mi><mo stretchy="false" form="postfix">)</mo>' \
     '<mo>=</mo><mo form="prefix">−</mo><mo lspace="0.167em" rspace="0">ln</mo>' \
     '<msup><mrow><mo minsize="1.8em"' '</math>,</span>' '<mtable class="aligned" displaystyle="true">' \
@@ -212,7 +214,7 @@ ValuesAreInjected() {
 }
 
 TableFromData() {
-  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\n' >build/data/t.csv
+  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\n' >build/data/t.csv
   chapter <<'END'
 $$ e $$ {#eq:e}
 
@@ -221,7 +223,11 @@ The *caption*.
 :::
 END
   expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3'
-  expect_html '<td style="text-align: right;">−1</td>' '<code>c</code>'
+  expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>'
+  mkdir -p figures/measured
+  sed 's/plain/other/' build/data/t.csv >figures/measured/t.csv
+  sed -i 's|"t|"figures/measured/t|' one.md
+  expect 'Table 1. The caption.' 'other'
 }
 
 FiguresKeepTheirIdsApart() {
