@@ -96,14 +96,13 @@ template <int columns>
 using RayArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
 using RayArray = RayArrays<1>;
 using RayWeights = RayArrays<5>;
-using RaySums = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns + 24, 2>;
 using Sums = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 
 struct Ray {
   RayArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
-  /// Keep the first nodes, four by four, up to where zeta is by so much beyond the first.
+  /// Keep the first nodes, eight by eight, up to where zeta is by so much beyond the first.
   void cut(double reach) {
-    const Index heard = ((zeta < zeta[0] + reach).count() + 3) / 4 * 4;
+    const Index heard = ((zeta < zeta[0] + reach).count() + 7) / 8 * 8;
     for (RayArray* x : {&y, &zeta, &heat, &by_h, &by_dh})
       x->conservativeResize(std::min(heard, y.size()));
   }
@@ -178,18 +177,21 @@ MatrixXd by_derivatives(const MatrixXd& sums) {
   return x;
 }
 
-/// For each column c the sum of c(l) P_l(side y).
-TWICE RaySums series(double side, const RayArray& y, const MatrixXd& c) {
-  RaySums sums = RaySums::Zero(y.size(), c.cols());
-  RayArray x = side * y, now = RayArray::Ones(y.size()), next = x;
-  for (Index l = 0; l < c.rows(); ++l) {
-    const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
-    for (Index k = 0; k < y.size(); k += 4) {
-      Four &p = four(&now[k]), &q = four(&next[k]);
-      for (Index w = 0; w < c.cols(); ++w) four(&sums(k, w)) += c(l, w) * p;
-      const Four then = up * four(&x[k]) * q - down * p;
-      p = q, q = then;
+/// The sums of c(l) P_l(side y), twice four nodes at a time, as each term waits for the last.
+TWICE RayArray series(double side, const RayArray& y, const VectorXd& c) {
+  RayArray sums(y.size());
+  VectorXd down(c.size());
+  for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
+  for (Index k = 0; k < y.size(); k += 8) {
+    const Four x = side * four(&y[k]), z = side * four(&y[k + 4]);
+    Four a = {}, p = a + 1, q = x, b = {}, u = p, v = z;
+    for (Index l = 0; l < c.size(); ++l) {
+      a += c(l) * p, b += c(l) * u;
+      const Four then = (1 + down(l)) * x * q - down(l) * p;
+      const Four next = (1 + down(l)) * z * v - down(l) * u;
+      p = q, q = then, u = v, v = next;
     }
+    four(&sums[k]) = a, four(&sums[k + 4]) = b;
   }
   return sums;
 }
@@ -213,6 +215,7 @@ RayArray temperature_kernel(double side, const RayArray& zeta) {
 
 /// The sum of M times the heat, at a distance from the start of the ray.
 double felt(const Ray& ray, const RayArray& heat, double side, double distance) {
+  if (side > 0 && distance > 372) return 0;  // as exp(-2 distance)
   return (temperature_kernel(side, ray.zeta + distance) * heat).sum();
 }
 
@@ -303,16 +306,15 @@ Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double
               const Rule& rule) {
   Warmth sum{0, 0};
   Ray ray;
-  MatrixXd both(h.size(), 2);
-  both << h, derivative(h);
+  const VectorXd dh = derivative(h);
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
     cast(ray, peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
     if (side > 0) ray.cut(20);
-    const RaySums sums = series(side, ray.y, both);
+    const RayArray value = series(side, ray.y, h), slope = series(side, ray.y, dh);
     const RayArray m = temperature_kernel(side, ray.zeta);
-    sum.value += (m * ray.heat * sums.col(0)).sum();
-    sum.slope += (m * (side * ray.by_h * sums.col(0) + ray.by_dh * sums.col(1))).sum();
+    sum.value += (m * ray.heat * value).sum();
+    sum.slope += (m * (side * ray.by_h * value + ray.by_dh * slope)).sum();
   }
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
 }

@@ -38,7 +38,7 @@ struct Rules {
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
         ray(gauss_legendre(n > 64 ? n : (59 + n) / 12 * 4)),
-        fine(gauss_legendre((27 + n) / 4 * 4)) {}
+        fine(gauss_legendre((31 + n) / 8 * 8)) {}
   const Rule &slip, &stick, &ray, &fine;
 };
 
@@ -132,7 +132,7 @@ Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left,
               double gap, const Rule& rule);
 
 /// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
-/// multiple of four nodes.
+/// multiple of eight nodes.
 Eigen::ArrayXd surface_temperature(const Border& border, double peclet, const Eigen::VectorXd& h,
                                    const Eigen::ArrayXd& s, const Rule& rule);
 

@@ -32,7 +32,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
   require(tolerance >= 1e-12, "tolerance", tolerance, "at least 1e-12");
   for (const double place : s) require(true, "s", place, "finite");
   if (s.size() == 0) return {s, 0};
-  const Index every = s.size() / 40 + 1, own = (s.size() + every - 1) / every;
+  const Index every = s.size() / 20 + 1, own = (s.size() + every - 1) / every;
   ArrayXd some(own + 4);
   for (Index i = 0; i < own; ++i) some(i) = s(i * every);
   const ArrayXd y = gauss_legendre(4).x;
