@@ -40,8 +40,9 @@ struct Table {
     const std::uint64_t inside = bits & ((std::uint64_t{1} << shift) - 1);
     const double u = static_cast<double>(inside) * (2.0 / (std::uint64_t{1} << shift)) - 1;
     const double* c = &coefficients[(cell * (degree + 1) + degree) * 4];
-    Four sum = four(c);
-    for (int i = 0; i < degree; ++i) sum = sum * u + four(c -= 4);
+    Four sum, next;
+    load(c, sum);
+    for (int i = 0; i < degree; ++i) load(c -= 4, next), sum = sum * u + next;
     return {sum[0], sum[1], sum[2], sum[3]};
   }
   static Kernels exact(double x) {

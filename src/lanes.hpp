@@ -1,14 +1,16 @@
 // Tangled from paper/10-coupled-solver.md; edit there.
 #pragma once
 
+#include <cstring>
+
 namespace thermoroll {
 
 /// Four numbers at a time: one register of a processor with AVX2, two of any other of its kind.
-using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
+using Four = double __attribute__((vector_size(32)));
 
-/// The four numbers from x on.
-inline Four& four(double* x) { return *reinterpret_cast<Four*>(x); }
-inline const Four& four(const double* x) { return *reinterpret_cast<const Four*>(x); }
+/// Take the four numbers from there on, or put them there.
+inline void load(const double* from, Four& x) { std::memcpy(&x, from, sizeof x); }
+inline void store(const Four& x, double* to) { std::memcpy(to, &x, sizeof x); }
 
 /// Their sum.
 inline double total(const Four& x) { return (x[0] + x[1]) + (x[2] + x[3]); }

@@ -155,14 +155,14 @@ void weigh(const Ray& ray, RayWeights& weights) {
 /// Column l of sums receives the sums over a ray of its five weights times P_l(y), for all columns.
 TWICE void legendre_sums(const RayArray& y, const RayWeights& weights, Sums& sums) {
   RayArray now = RayArray::Ones(y.size()), next = y;
+  Four x, p, q, weight;
   for (Index l = 0; l < sums.cols(); ++l) {
     const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
     Four sum[5] = {};
     for (Index k = 0; k < y.size(); k += 4) {
-      Four &p = four(&now[k]), &q = four(&next[k]);
-      for (Index w = 0; w < 5; ++w) sum[w] += four(&weights(k, w)) * p;
-      const Four then = up * four(&y[k]) * q - down * p;
-      p = q, q = then;
+      load(&y[k], x), load(&now[k], p), load(&next[k], q);
+      for (Index w = 0; w < 5; ++w) load(&weights(k, w), weight), sum[w] += weight * p;
+      store(q, &now[k]), store(up * x * q - down * p, &next[k]);
     }
     for (Index w = 0; w < 5; ++w) sums(w, l) = total(sum[w]);
   }
@@ -183,7 +183,9 @@ TWICE RayArray series(double side, const RayArray& y, const VectorXd& c) {
   VectorXd down(c.size());
   for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
   for (Index k = 0; k < y.size(); k += 8) {
-    const Four x = side * four(&y[k]), z = side * four(&y[k + 4]);
+    Four x, z;
+    load(&y[k], x), load(&y[k + 4], z);
+    x *= side, z *= side;
     Four a = {}, p = a + 1, q = x, b = {}, u = p, v = z;
     for (Index l = 0; l < c.size(); ++l) {
       a += c(l) * p, b += c(l) * u;
@@ -191,7 +193,7 @@ TWICE RayArray series(double side, const RayArray& y, const VectorXd& c) {
       const Four next = (1 + down(l)) * z * v - down(l) * u;
       p = q, q = then, u = v, v = next;
     }
-    four(&sums[k]) = a, four(&sums[k + 4]) = b;
+    store(a, &sums[k]), store(b, &sums[k + 4]);
   }
   return sums;
 }
