@@ -17,9 +17,9 @@ inline double total(const Four& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 
 }  // namespace thermoroll
 
-/// A function compiled twice, with and without AVX2; which is called is found when the program is
-/// loaded.
-#if defined(__x86_64__) && defined(__gnu_linux__)
+/// A function compiled twice, with and without AVX2 (or once, without, on request); which is called
+/// is found when the program is loaded.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(THERMOROLL_ONCE)
 #define TWICE __attribute__((target_clones("avx2", "default")))
 #else
 #define TWICE
