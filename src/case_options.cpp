@@ -8,6 +8,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include <CLI/CLI.hpp>
+
 namespace thermoroll {
 namespace {
 

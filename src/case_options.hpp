@@ -5,10 +5,14 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "scene.hpp"
 #include "solution.hpp"
+
+namespace CLI {  // named only, as CLI11 takes seconds to compile wherever it is included
+class App;
+class ParseError;
+class Validator;
+}  // namespace CLI
 
 namespace thermoroll {
 

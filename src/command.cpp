@@ -16,6 +16,8 @@
 #include <system_error>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+
 #include "claims.hpp"
 #include "exit_status.hpp"
 #include "figure_data.hpp"

@@ -20,6 +20,8 @@
 #include <thread>
 #include <utility>
 
+#include <CLI/CLI.hpp>
+
 #include "exit_status.hpp"
 #include "numbers.hpp"
 
