@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t intervals = 1000;  // at most, per integral
 constexpr double target = 1e-11;         // relative error asked of GSL
 constexpr double promised = 1e-9;        // relative error above which the result is refused
-constexpr double rounding = 1e-14;       // of the integrand: GSL's Bessel functions, cancellation
+constexpr double noise = 1e-14;          // of the integrand: GSL's Bessel functions, cancellation
 constexpr double tiny = 1e-290;          // below it, relative accuracy ends with the number range
 
 using Function = std::function<double(double)>;
@@ -48,7 +48,7 @@ Estimate integrate(const Function& f, const std::vector<double>& points) {
                                             intervals, space.get(), &panel.value, &panel.error);
     if (status == GSL_EDIVERGE) panel.error += std::abs(panel.value);
     sum.value += panel.value;
-    sum.error += panel.error + rounding * std::abs(panel.value);
+    sum.error += panel.error + noise * std::abs(panel.value);
   }
   if (!(sum.error <= promised * std::abs(sum.value) + tiny)) {
     std::ostringstream message;
