@@ -6,7 +6,7 @@
 namespace thermoroll {
 
 /// Four numbers at a time: one register of a processor with AVX2, two of any other of its kind.
-using Four = double __attribute__((vector_size(32)));
+using Four [[gnu::vector_size(32)]] = double;
 
 /// Take the four numbers from there on, or put them there.
 inline void load(const double* from, Four& x) { std::memcpy(&x, from, sizeof x); }
@@ -20,7 +20,7 @@ inline double total(const Four& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 /// A function compiled twice, with and without AVX2 (or once, without, on request); which is called
 /// is found when the program is loaded.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(THERMOROLL_ONCE)
-#define TWICE __attribute__((target_clones("avx2", "default")))
+#define TWICE [[gnu::target_clones("avx2", "default")]]
 #else
 #define TWICE
 #endif
