@@ -82,7 +82,7 @@ struct Level {
 
 Level solve_level(const Scene& scene, Formulation formulation, int n, const Border& at,
                   const Level& from) {
-  const Rules rules(n);
+  const Rules rules(n, at.slip * scene.peclet);
   const Zones z = zones(at, rules.slip, rules.stick);
   const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
   const Inverses x = invert(z, sides, scene.friction);
@@ -302,8 +302,8 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
 }
 
 Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x) {
-  const Rules rules(x.unknowns);
   const double slip = x.value(slip_length);
+  const Rules rules(x.unknowns, slip * scene.peclet);
   const Zones z = zones({slip, 1 + x.value(border)}, rules.slip, rules.stick);
   const Index n = z.y.size(), m = z.d.size();
   const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);

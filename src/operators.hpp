@@ -31,14 +31,18 @@ Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
 /// From values at the nodes to Legendre coefficients.
 Eigen::MatrixXd to_legendre(const Rule& rule);
 
-/// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures.
+/// The rules of a grid of n unknowns: nodes of both zones, of rays, in fours, and of rays for
+/// temperatures, in eights, which are the more the faster the slip zone, lambda, is.
 /// The fine grids are those of strong heating, which needs G and the rays as fine as h.
 struct Rules {
-  explicit Rules(int n)
+  explicit Rules(int n, double lambda = 1)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
-        ray(gauss_legendre(n > 64 ? n : (59 + n) / 12 * 4)),
-        fine(gauss_legendre((31 + n) / 8 * 8)) {}
+        ray(gauss_legendre((n > 64 ? 3 + n : (59 + n) / 3) / 4 * 4)),
+        fine(gauss_legendre(std::min(most_unknowns + 24, (31 + n + more(lambda)) / 8 * 8))) {}
+  static int more(double lambda) {
+    return static_cast<int>(5 * std::max(0.0, std::log10(lambda) - 4));
+  }
   const Rule &slip, &stick, &ray, &fine;
 };
 

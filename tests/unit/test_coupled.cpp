@@ -18,6 +18,7 @@
 #include "first_order.hpp"
 #include "quadrature.hpp"
 #include "reference.hpp"
+#include "surface.hpp"
 #include "temperature.hpp"
 
 // The peak of what the process holds on the heap. Eigen and GSL call malloc, so that counting
@@ -473,6 +474,23 @@ TEST(Coupled, TemperatureAgainstAdaptiveQuadrature) {
         EXPECT_LE(profile.temperature(i), top * (1 + tolerance));
       }
     }
+}
+
+// With next to no heat (f H = 6e-13) the hottest point is that of Carter's flux, found along rays
+// of its own number of nodes. The soak found one at Pe = 1.2e7 that was off by 13 times its error.
+TEST(Coupled, TemperatureAtHighSpeedHasItsError) {
+  const double f = 0.6;
+  for (double peclet = 1e4; peclet < 2e8; peclet *= 10)
+    for (const double q : {0.5 * f, 0.999 * f, (1 - 1e-11) * f})
+      for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+        const auto x = solve_coupled({f, q, peclet, 1e-12}, Formulation::corrected, tolerance,
+                                     {thermoroll::traction, q});
+        const auto top = thermoroll::hottest_point(
+            thermoroll::smooth_flux(thermoroll::carter(f, q)), peclet, 1e-11);
+        EXPECT_NEAR(x.value(thermoroll::hottest), top.temperature.value,
+                    x.error(thermoroll::hottest) + top.temperature.error)
+            << peclet << ' ' << q << ' ' << tolerance;
+      }
 }
 
 // The true error, against a solution a hundred times finer or more, exceeds the estimate in fewer
