@@ -317,3 +317,25 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
       EXPECT_THROW(rung(scene, Formulation::corrected, 1e-3, given), std::invalid_argument)
           << given.quantity << ' ' << given.value;
 }
+
+// A traction next to friction has lost digits of what it is less by, and the border is as sensitive
+// to it: four steps of the last bit, of the five that the error allows for, move it by 7e-10.
+TEST(LeastModel, ErrorsCoverTheLastBitsOfTheTraction) {
+  const double f = 0.3, q = f * (1 - 1e-12);
+  double less = q;
+  for (int i = 0; i < 4; ++i) less = std::nextafter(less, 0);
+  const auto expect_covered = [](const CoupledSolution& a, const CoupledSolution& b) {
+    for (const auto i : {thermoroll::border, thermoroll::creep, thermoroll::heat}) {
+      EXPECT_NE(a.value(i), b.value(i));
+      EXPECT_LE(std::abs(a.value(i) - b.value(i)), a.error(i)) << i;
+    }
+  };
+  for (const double heating : {1e-12, 1e-9}) {
+    const Scene at{f, q, 100, heating}, near{f, less, 100, heating};
+    expect_covered(solve_coupled(at, Formulation::corrected, 1e-6, {thermoroll::traction, q}),
+                   solve_coupled(near, Formulation::corrected, 1e-6, {thermoroll::traction, less}));
+    expect_covered(
+        least_model(at, Formulation::corrected, 3e-9, {thermoroll::traction, q}).solution,
+        least_model(near, Formulation::corrected, 3e-9, {thermoroll::traction, less}).solution);
+  }
+}
