@@ -206,18 +206,20 @@ VectorXd derivative(const VectorXd& c) {
   return d;
 }
 
+constexpr double unfelt = 350;  // exp(-2 zeta) is 1e-304 here
+
 /// M(side zeta), zeta > 0.
 RayArray temperature_kernel(double side, const RayArray& zeta) {
   const std::vector<Kernels> k = at_distances(zeta);
   RayArray m(zeta.size());
   for (Index i = 0; i < m.size(); ++i) m[i] = k[static_cast<std::size_t>(i)].m_down;
-  if (side > 0) m *= (-2 * zeta).exp();
+  if (side > 0) m *= (zeta < unfelt).select((-2 * zeta).exp(), 0);
   return m;
 }
 
 /// The sum of M times the heat, at a distance from the start of the ray.
 double felt(const Ray& ray, const RayArray& heat, double side, double distance) {
-  if (side > 0 && distance > 372) return 0;  // as exp(-2 distance)
+  if (side > 0 && distance > unfelt) return 0;
   return (temperature_kernel(side, ray.zeta + distance) * heat).sum();
 }
 
