@@ -1,6 +1,6 @@
 # thermoroll: from the chapters in paper/ to the program, the data, the figures and the report.
 # `make help` lists the goals. Everything generated is in build/, but for src/, which is tangled and
-# committed, figures/golden/, which only `make golden` writes, and figures/measured/, `make sweep-bench`.
+# committed, figures/golden/, which only `make golden` writes, and figures/measured/, `make sweep-bench`'s.
 
 MAKEFLAGS += --no-builtin-rules
 .DELETE_ON_ERROR:

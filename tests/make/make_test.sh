@@ -40,8 +40,8 @@ in_copy() {
   make "$1" >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 }
 
-# A copy of the project, built from nothing. Data, figures and most objects are taken over to save the
-# time; of each target something is compiled.
+# A copy of the project, configured from nothing. Data, figures and most objects are taken over to save
+# the time; of each target something is compiled.
 BuildsInFolderWithSpace() {
   rm -rf "$copy"
   mkdir -p "$copy"
