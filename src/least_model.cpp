@@ -44,8 +44,7 @@ Summit fast_limit(const Border& at, double friction, double peclet) {
 
 const Rule& rays_for(double tolerance, double lambda) {
   const double digits = std::ceil(-std::log10(tolerance));
-  const double decades = std::max(0.0, std::log10(lambda) - 4);
-  return gauss_legendre(8 * static_cast<int>(std::ceil(1 + (7 * digits + 3 * decades) / 8)));
+  return taken_by(8, 8 + static_cast<int>(std::ceil(7 * digits + 3 * decades_beyond(lambda))));
 }
 
 /// The hottest point for Carter's heat, to a tenth of the tolerance.

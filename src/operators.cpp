@@ -135,6 +135,7 @@ void cast(Ray& ray, double peclet, double gap, double left, double right, const 
   ray.by_h = 3 * middle / omega * du * dy;
 }
 
+/// The kernels at all of these distances.
 std::vector<Kernels> at_distances(const ArrayXd& zeta) {
   std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
   fast_kernels(k.size(), zeta.data(), k.data());
@@ -198,6 +199,7 @@ TWICE RayArray series(double side, const RayArray& y, const VectorXd& c) {
   return sums;
 }
 
+/// The coefficients of the derivative.
 VectorXd derivative(const VectorXd& c) {
   VectorXd d = VectorXd::Zero(c.size());
   for (Index l = c.size() - 2; l >= 0; --l)

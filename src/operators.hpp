@@ -31,18 +31,24 @@ Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
 /// From values at the nodes to Legendre coefficients.
 Eigen::MatrixXd to_legendre(const Rule& rule);
 
-/// The rules of a grid of n unknowns: nodes of both zones, of rays, in fours, and of rays for
-/// temperatures, in eights, which are the more the faster the slip zone, lambda, is.
-/// The fine grids are those of strong heating, which needs G and the rays as fine as h.
+/// The rule of n nodes or a few more, to be taken so many at a time.
+inline const Rule& taken_by(int group, int n) {
+  return gauss_legendre((n + group - 1) / group * group);
+}
+
+/// By how many decades the speed lambda of a slip zone exceeds 1e4.
+inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(lambda) - 4); }
+
+/// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures,
+/// which are the more the faster the slip zone, lambda, is. The fine grids are those of strong
+/// heating, which needs G and the rays as fine as h.
 struct Rules {
   explicit Rules(int n, double lambda = 1)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
-        ray(gauss_legendre((n > 64 ? 3 + n : (59 + n) / 3) / 4 * 4)),
-        fine(gauss_legendre(std::min(most_unknowns + 24, (31 + n + more(lambda)) / 8 * 8))) {}
-  static int more(double lambda) {
-    return static_cast<int>(5 * std::max(0.0, std::log10(lambda) - 4));
-  }
+        ray(taken_by(4, n > 64 ? n : 16 + (n + 2) / 3)),
+        fine(taken_by(
+            8, std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24)) {}
   const Rule &slip, &stick, &ray, &fine;
 };
 
@@ -100,7 +106,8 @@ struct ThermalSides {
   Eigen::MatrixXd f, df, g;
 };
 
-/// These matrices on a grid, for an h of so many terms; the traction of the scene is not used.
+/// These matrices on a grid, for an h of so many terms, by rays of a multiple of four nodes; the
+/// traction of the scene is not used.
 ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
                            Eigen::Index terms, const Rule& rule);
 
@@ -131,7 +138,8 @@ struct Warmth {
 };
 
 /// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
-/// or, with left = 0, across a gap (in lengths of the slip zone).
+/// or, with left = 0, across a gap (in lengths of the slip zone); a rule of a multiple of eight
+/// nodes.
 Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left, double right,
               double gap, const Rule& rule);
 
@@ -145,7 +153,7 @@ struct Summit {
   double y = 0.43, value = 0, bend = -3;  // bend: the second derivative of ln T by y
 };
 
-/// Find it from near by, to about 1e-8 in y.
+/// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes.
 Summit climb(double slip, double peclet, const Eigen::VectorXd& h, const Summit& near,
              const Rule& rule);
 
