@@ -82,7 +82,7 @@ struct Level {
 
 Level solve_level(const Scene& scene, Formulation formulation, int n, const Border& at,
                   const Level& from) {
-  const Rules rules(n, at.slip * scene.peclet);
+  const Rules rules(n, at, scene.peclet);
   const Zones z = zones(at, rules.slip, rules.stick);
   const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
   const Inverses x = invert(z, sides, scene.friction);
@@ -144,19 +144,31 @@ Level find_border(const Scene& scene, Formulation formulation, int n, const Give
   return level;
 }
 
+/// Strong heating, or a zone of less than a twentieth of the contact.
+bool converges_slowly(const Scene& scene, const Border& at) {
+  return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
+}
+
+/// How much of a change since the last grid is believed to be the error of this one of n unknowns.
+double part_of_change(int n, bool slow) {
+  if (n > 200) return slow ? 0.1 : 0.05;
+  if (slow) return n < 30 ? 3 : 1;
+  return 0.2;
+}
+
 /// Size of the last quarter of the coefficients, relative to the largest.
 double tail(const VectorXd& h) {
   return h.tail(h.size() / 4).lpNorm<Infinity>() / h.lpNorm<Infinity>();
 }
 
 /// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
-/// the tail now and before, and the change since the last grid.
-double estimate(const Values& change, double now, double before, int n) {
+/// the tail now and before, and the change since the last grid; slow where convergence is.
+double estimate(const Values& change, double now, double before, int n, bool slow) {
   double integrals = 0;
   for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
-  const double size = n, part = n > 200 ? 0.05 : 0.2;
+  const double size = n, part = part_of_change(n, slow);
   const double shrunk = std::clamp(now / before, part / 4, part);
-  const double unresolved = now > 1e-3 ? now : 10 * now / (size * size);
+  const double unresolved = now * std::clamp(1e3 * now, (n < 30 ? 20 : 10) / (size * size), 1.0);
   return std::max({unresolved, part * integrals, shrunk * change(hottest)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
@@ -168,9 +180,21 @@ bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& 
   });
 }
 
+/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
+Level next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
+  const auto with = [&](double stick, const Level& from) {
+    return solve_level(scene, formulation, n, {2 - stick, stick}, from);
+  };
+  Level level = with(1e-6, {});
+  if (level.newton_steps > 0) return level;
+  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    level = with(stick, level);
+  return level;
+}
+
 /// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
-void check_slips_in_part(const Scene& scene, Formulation formulation, double given) {
-  const Level full = solve_level(scene, formulation, 40, {2 - 1e-6, 1e-6}, {});
+void check_slips_in_part(const Scene& scene, Formulation formulation, int n, double given) {
+  const Level full = next_to_full_slip(scene, formulation, std::max(40, n));
   const double most = full.value(creep);
   if (full.newton_steps > 0)
     require(given < most, "creep", given,
@@ -205,8 +229,9 @@ double rounding(const Given& given, const Values& slope, const Values& scale) {
 }
 
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
-  const Rules rules(n);
-  const Zones z = zones({1 - c0, 1 + c0}, rules.slip, rules.stick);
+  const Border at{1 - c0, 1 + c0};
+  const Rules rules(n, at);
+  const Zones z = zones(at, rules.slip, rules.stick);
   const Inverses x = invert(z, thermal_sides(scene, formulation, z, n, rules.ray), scene.friction);
   const MatrixXd to = to_legendre(rules.slip);
   return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
@@ -254,7 +279,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     tried = find_border(scene, formulation, n, given, level, better);
     if (tried.newton_steps > 0) level = tried, slope = better;
     if (tried.newton_steps == 0 && given.quantity == creep)
-      check_slips_in_part(scene, formulation, given.value);
+      check_slips_in_part(scene, formulation, n, given.value);
   }
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
@@ -266,6 +291,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   };
   Values value = corrected(), change = Values::Zero();
   double best = 1;
+  int stalled = 0;  // grids in a row that have gained little
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
   for (;; n = std::min(2 * n, most_unknowns)) {
     const Level last = level;
@@ -275,14 +301,16 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
       const Values before = value, scale = scale_of(level.value);
       value = corrected();
       const Values moved = (value - before).abs().max((value - level.value).abs());
-      change = (moved / scale).max(0.02 * change);
+      const bool slow = converges_slowly(scene, level.at);
+      change = (moved / scale).max((slow ? 0.004 : 0.02) * change);
       const double error =
-          estimate(change, tail(level.h), tail(last.h), n) + rounding(given, slope, scale);
+          estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
       CoupledSolution x{value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
       x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
       x.error(hottest_at) = level.at.slip * std::sqrt(error);  // the maximum is flat
       if (error <= tolerance && same_places(level.violations, last.violations)) return x;
-      if (n > 64 && error > 0.5 * best && error > 100 * tolerance) break;  // it gets nowhere
+      stalled = n > 64 && error > 0.5 * best && error > 100 * tolerance ? stalled + 1 : 0;
+      if (stalled == 2) break;  // it gets nowhere
       best = error;
     } else {
       level = last;
@@ -303,8 +331,9 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
 
 Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x) {
   const double slip = x.value(slip_length);
-  const Rules rules(x.unknowns, slip * scene.peclet);
-  const Zones z = zones({slip, 1 + x.value(border)}, rules.slip, rules.stick);
+  const Border border_found{slip, 1 + x.value(border)};
+  const Rules rules(x.unknowns, border_found, scene.peclet);
+  const Zones z = zones(border_found, rules.slip, rules.stick);
   const Index n = z.y.size(), m = z.d.size();
   const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
   const Inverses inverses = invert(z, sides, scene.friction);

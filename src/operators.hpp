@@ -31,6 +31,12 @@ Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
 /// From values at the nodes to Legendre coefficients.
 Eigen::MatrixXd to_legendre(const Rule& rule);
 
+/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2.
+struct Border {
+  double slip, stick;
+  double c0() const { return (stick - slip) / 2; }
+};
+
 /// The rule of n nodes or a few more, to be taken so many at a time.
 inline const Rule& taken_by(int group, int n) {
   return gauss_legendre((n + group - 1) / group * group);
@@ -39,23 +45,28 @@ inline const Rule& taken_by(int group, int n) {
 /// By how many decades the speed lambda of a slip zone exceeds 1e4.
 inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(lambda) - 4); }
 
-/// The rules of a grid of n unknowns: nodes of both zones, of rays, and of rays for temperatures,
-/// which are the more the faster the slip zone, lambda, is. The fine grids are those of strong
-/// heating, which needs G and the rays as fine as h.
-struct Rules {
-  explicit Rules(int n, double lambda = 1)
-      : slip(gauss_legendre(n)),
-        stick(gauss_legendre(n > 64 ? n : std::max(8, 3 * n / 4))),
-        ray(taken_by(4, n > 64 ? n : 16 + (n + 2) / 3)),
-        fine(taken_by(
-            8, std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24)) {}
-  const Rule &slip, &stick, &ray, &fine;
-};
+/// Nodes of the stick zone on a grid of n unknowns: two more for every decade by which the slip
+/// zone is shorter than a hundredth of it. The fine grids are those of strong heating, which needs
+/// G as fine as h.
+inline int stick_nodes(int n, const Border& at) {
+  const double decades = std::max(0.0, std::log10(at.stick / at.slip) - 2);
+  return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades);
+}
 
-/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2.
-struct Border {
-  double slip, stick;
-  double c0() const { return (stick - slip) / 2; }
+/// Nodes of a ray for temperatures: the more the faster the slip zone, lambda, is.
+inline int temperature_nodes(int n, double lambda) {
+  return std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24;
+}
+
+/// The rules of a grid of n unknowns: nodes of both zones, of rays, which strong heating needs as
+/// fine as h, and of rays for temperatures.
+struct Rules {
+  explicit Rules(int n, const Border& at = {1, 1}, double peclet = 1)
+      : slip(gauss_legendre(n)),
+        stick(gauss_legendre(stick_nodes(n, at))),
+        ray(taken_by(4, n > 64 ? n : 16 + (n + 2) / 3)),
+        fine(taken_by(8, temperature_nodes(n, at.slip * peclet))) {}
+  const Rule &slip, &stick, &ray, &fine;
 };
 
 /// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].

@@ -63,8 +63,8 @@ std::string words_of(std::string message) {
   return words;
 }
 
-CoupledSolution solve(const Sample& x, double q) {
-  return solve_coupled(x.scene, x.formulation, x.tolerance, {traction, q});
+CoupledSolution solve(const Sample& x, double given) {
+  return solve_coupled(x.scene, x.formulation, x.tolerance, {x.given.quantity, given});
 }
 
 /// What is said of a solution must be numbers, keep the tolerance and fit together.
@@ -76,8 +76,8 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
     record.within("errors keep the tolerance", e(q), x.tolerance);
   for (const Quantity q : {creep_constant, creep, heat, hottest})
     record.within("errors keep the tolerance", e(q), x.tolerance * std::abs(v(q)) * (1 + 1e-12));
-  record.within("the traction is the one given", v(traction) - x.scene.traction,
-                std::max(e(traction), 1e-15));
+  const Quantity given = x.given.quantity;
+  record.within("what is given comes out", v(given) - x.given.value, std::max(e(given), 1e-15));
   record.require("the border is in the contact", std::abs(v(border)) < 1);
   record.require("heat, temperature and load ratio are positive",
                  v(heat) > 0 && v(hottest) > 0 && v(load_ratio) > 0);
@@ -96,7 +96,7 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
 /// Without heat the solution is Carter's, but for a few roundings.
 void examine_without_heat(const Record& record, const Sample& x, const CoupledSolution& found) {
   if (x.scene.heating > 0) return;
-  const Values closed = carter_values(carter(x.scene.friction, x.scene.traction));
+  const Values closed = carter_values(carter_given(x.scene.friction, x.given));
   const Values scale = scale_of(closed);
   for (int i = 0; i < hottest; ++i)
     record.within("without heat it is the closed form", found.value(i) - closed(i),
@@ -106,8 +106,7 @@ void examine_without_heat(const Record& record, const Sample& x, const CoupledSo
 /// A lesser model is off by no more than it says. The coupled solution's own error counts tenfold,
 /// which its estimate may be exceeded by.
 void examine_least_model(const Record& record, const Sample& x, const CoupledSolution& found) {
-  const Choice least =
-      least_model(x.scene, x.formulation, x.tolerance, {traction, x.scene.traction});
+  const Choice least = least_model(x.scene, x.formulation, x.tolerance, x.given);
   if (least.model == Model::coupled) return record.beside("the least model", "is the coupled one");
   const Values off = (least.solution.value - found.value).abs();
   const Values allowed = least.solution.error + 10 * found.error + 1e-15 * scale_of(found.value);
@@ -115,22 +114,54 @@ void examine_least_model(const Record& record, const Sample& x, const CoupledSol
     record.within("a lesser model is as good as it says", off(i), allowed(i));
 }
 
+/// A solution a hundred times as accurate as is asked for, or 1e-8; 1e-10 where it can be had.
+CoupledSolution finer(const Sample& x) {
+  try {
+    return solve_coupled(x.scene, x.formulation, 1e-10, x.given);
+  } catch (const std::runtime_error&) {
+    return solve_coupled(x.scene, x.formulation, std::min(1e-8, x.tolerance / 100), x.given);
+  }
+}
+
+/// The true error, against a finer solution, is within the tolerance, and within ten times its
+/// estimate. Whether it is within the estimate itself is counted. Quantities that the finer
+/// solution does not know to a tenth of the estimate are left out.
+void examine_error(const Record& record, const Sample& x, const CoupledSolution& found) {
+  CoupledSolution exact;
+  try {
+    exact = finer(x);
+  } catch (const std::runtime_error& error) {
+    return record.beside("no finer solution", words_of(error.what()));
+  }
+  const Values scale = scale_of(exact.value), off = (found.value - exact.value).abs();
+  double excess = 0;
+  for (int i = 0; i < quantities; ++i) {
+    if (i == x.given.quantity || !(exact.error(i) <= 0.1 * found.error(i))) continue;
+    excess = std::max(excess, off(i) / found.error(i));
+    if (i != hottest_at)
+      record.within("the tolerance is kept", off(i), x.tolerance * scale(i) + exact.error(i));
+  }
+  record.within("no error is ten times its estimate", excess, 10);
+  record.compared(x.tolerance, excess);
+}
+
 bool same_bits(const Values& a, const Values& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * quantities) == 0;
 }
 
-/// Once more gives the same bits; less traction leaves more stick.
+/// Once more gives the same bits; less traction or creep leaves more stick.
 void examine_again(const Record& record, const Sample& x, const CoupledSolution& found) {
-  const CoupledSolution again = solve(x, x.scene.traction);
+  const CoupledSolution again = solve(x, x.given.value);
   record.require("once more gives the same bits", same_bits(found.value, again.value) &&
                                                       same_bits(found.error, again.error) &&
                                                       found.h == again.h);
-  const double share = x.scene.traction / x.scene.friction;
-  const double less = x.scene.traction - 0.05 * x.scene.friction * std::min(share, 1 - share);
+  if (x.given.quantity == border) return;
+  const double most = x.given.quantity == traction ? x.scene.friction : 2 * x.scene.friction / pi;
+  const double given = x.given.value, less = given - 0.05 * std::min(given, most - given);
   try {
     const CoupledSolution other = solve(x, less);
     record.require(
-        "less traction, more stick",
+        "less traction or creep, more stick",
         other.value(border) + other.error(border) + found.error(border) >= found.value(border));
   } catch (const std::runtime_error& error) {
     record.beside("a neighbour", words_of(error.what()));
@@ -222,8 +253,8 @@ double integral(const Tractions& z, const ArrayXd& values) {
 }
 
 /// The tractions have their signs and carry the loads.
-void examine_profile(const Record& record, const Sample& x, const CoupledSolution& found,
-                     const Profile& y, const Tractions& z) {
+void examine_profile(const Record& record, const CoupledSolution& found, const Profile& y,
+                     const Tractions& z) {
   record.require("profiles are finite", y.pressure.allFinite() && y.traction.allFinite() &&
                                             y.slip.allFinite() && y.heat_flux.allFinite() &&
                                             y.temperature.allFinite());
@@ -235,7 +266,7 @@ void examine_profile(const Record& record, const Sample& x, const CoupledSolutio
   // than a result of order one with the border: Carter's heat over (1 - c0)^2 by half of it.
   const Values &v = found.value, &e = found.error;
   record.within("the pressure carries the load", integral(z, z.pressure) - 1, e(load_ratio));
-  record.within("the traction carries the pull", integral(z, z.pull) - x.scene.traction,
+  record.within("the traction carries the pull", integral(z, z.pull) - v(traction),
                 5 * e(traction));
   record.within("the flux carries the heat", (z.slip.fine.ds * z.flux).sum() - v(heat),
                 5 * e(heat));
@@ -264,7 +295,7 @@ double strain(const HeatFlux& flux, double peclet, double s) {
 /// quadrature finds int N2 g.
 void examine_energy(const Record& record, const Sample& x, const CoupledSolution& found,
                     const Profile& y, const Tractions& z) {
-  const auto [f, q, peclet, heating] = x.scene;
+  const double f = x.scene.friction, peclet = x.scene.peclet, heating = x.scene.heating;
   const HeatFlux flux = coupled_flux(found);
   const Index n = found.unknowns, m = y.s.size() - n;
   Eigen::VectorXd strains(m + n);
@@ -276,6 +307,7 @@ void examine_energy(const Record& record, const Sample& x, const CoupledSolution
   ArrayXd everywhere(z.pull.size());
   everywhere << z.stick.values * strains.head(m).reverse(), z.slip.values * strains.tail(n);
   const Values &v = found.value, &e = found.error;
+  const double q = v(traction);
   const double lost = f * peclet * heating / pi * integral(z, z.pull * everywhere);
   const double allowed = f * e(heat) + q * e(creep) + std::abs(lost) * e(heat) / v(heat);
   record.within("the energy balances", f * v(heat) - v(creep) * q + lost, 5 * allowed);
@@ -284,25 +316,44 @@ void examine_energy(const Record& record, const Sample& x, const CoupledSolution
 }  // namespace
 
 std::string text(const Sample& x) {
-  return "--friction " + shortest(x.scene.friction) + " --traction " + shortest(x.scene.traction) +
-         " --peclet " + shortest(x.scene.peclet) + " --heating " + shortest(x.scene.heating) +
-         " --tolerance " + shortest(x.tolerance) +
+  const bool by_creep = x.given.quantity == creep, by_border = x.given.quantity == border;
+  return "--friction " + shortest(x.scene.friction) +
+         (by_creep    ? " --creep "
+          : by_border ? " --stick-slip-border "
+                      : " --traction ") +
+         shortest(x.given.value) + " --peclet " + shortest(x.scene.peclet) + " --heating " +
+         shortest(x.scene.heating) + " --tolerance " + shortest(x.tolerance) +
          (x.formulation == Formulation::printed ? " --formulation printed" : "");
+}
+
+/// Near both ends of (0, 1) log-uniform down to the least, in between uniform.
+static double spread_share(Random& random, double least) {
+  const double share =
+      random.one_of(3) ? random.log_uniform(least, 0.01) : random.uniform(0.005, 0.5);
+  return random.one_of(2) ? share : 1 - share;
+}
+
+/// The traction, or the creep or border that Carter's solution has with it.
+static Given spread_given(Random& random, double friction, double share) {
+  const double root = std::sqrt(1 - share), slip_half_width = share / (1 + root);
+  if (!random.one_of(3)) return {traction, share * friction};
+  if (random.one_of(2)) return {creep, 2 * friction / pi * slip_half_width};
+  return {border, share < 0.5 ? 1 - 2 * slip_half_width : 2 * root - 1};
 }
 
 Sample sample(std::uint64_t seed, std::uint64_t number) {
   Random random(seed, number);
-  const bool corner = number % 4 == 3;
-  const double f = corner ? random.log_uniform(1e-3, 2) : random.log_uniform(0.05, 1);
-  const double peclet = corner ? random.log_uniform(1e-3, 1e8) : random.log_uniform(1e-2, 1e6);
-  double heating = corner ? random.log_uniform(1e-6, 1e3) : random.log_uniform(1e-4, 3);
-  double share = random.uniform(0.01, 0.999);
+  const bool corner = number % 4 == 3, wide = random.one_of(5);
+  const double f = corner ? random.log_uniform(1e-3, 2) : random.log_uniform(0.03, 1.5);
+  const double peclet =
+      corner || wide ? random.log_uniform(1e-3, 1e8) : random.log_uniform(1e-2, 1e6);
+  double heating = corner ? random.log_uniform(1e-6, 1e3) : random.log_uniform(1e-7, 50) / f;
   if (corner && random.one_of(8)) heating = 0;
-  if (corner) share = random.log_uniform(1e-12, 0.5);
-  if (corner && random.one_of(2)) share = 1 - share;
+  const Given given = spread_given(random, f, spread_share(random, corner ? 1e-12 : 1e-9));
   const auto formulation = random.one_of(2) ? Formulation::printed : Formulation::corrected;
   const double tolerance = random.one_of(2) ? 1e-6 : random.log_uniform(1e-8, 1e-2);
-  return {{f, share * f, peclet, heating}, formulation, tolerance};
+  const double q = given.quantity == traction ? given.value : f / 2;  // not used if not given
+  return {{f, q, peclet, heating}, given, formulation, tolerance};
 }
 
 Record::Record(std::uint64_t number, const Sample& x, Totals& totals)
@@ -318,6 +369,13 @@ void Record::within(const char* property, double deviation, double allowed) cons
 
 void Record::outcome(const std::string& what) const { ++totals_.outcomes[what]; }
 
+void Record::compared(double tolerance, double excess) const {
+  Compared& all = totals_.compared[static_cast<int>(std::floor(std::log10(tolerance)))];
+  ++all.scenes;
+  if (!(excess <= 1)) ++all.beyond;
+  all.worst = std::max(all.worst, excess);
+}
+
 void Record::beside(const std::string& what, const std::string& why) const {
   ++totals_.beside[what + ": " + why];
 }
@@ -327,22 +385,29 @@ void Totals::add(const Totals& other) {
   for (const auto& [what, count] : other.beside) beside[what] += count;
   for (const auto& [property, w] : other.worst)
     if (Worst& mine = worst[property]; !(w.share <= mine.share)) mine = w;
+  for (const auto& [decade, c] : other.compared) {
+    Compared& mine = compared[decade];
+    mine = {mine.scenes + c.scenes, mine.beyond + c.beyond, std::max(mine.worst, c.worst)};
+  }
   failures.insert(other.failures.begin(), other.failures.end());
 }
 
 void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals) {
   const Record record(number, x, totals);
   try {
-    const CoupledSolution found = solve(x, x.scene.traction);
+    const CoupledSolution found = solve(x, x.given.value);
     record.outcome("solved");
     examine_results(record, x, found);
     examine_without_heat(record, x, found);
     examine_least_model(record, x, found);
-    if (depth >= Depth::again) examine_again(record, x, found);
+    if (depth >= Depth::again) {
+      examine_again(record, x, found);
+      if (x.scene.friction * x.scene.heating <= 50) examine_error(record, x, found);
+    }
     if (depth < Depth::profiles) return;
     const Profile y = profile(x.scene, x.formulation, found);
     const Tractions z = tractions_of(x, found, y);
-    examine_profile(record, x, found, y, z);
+    examine_profile(record, found, y, z);
     if (depth >= Depth::energy) examine_energy(record, x, found, y, z);
   } catch (const std::exception& error) {
     const std::string what = error.what();

@@ -11,7 +11,8 @@ namespace soak {
 
 /// A scene and the accuracy to solve it with.
 struct Sample {
-  thermoroll::Scene scene;
+  thermoroll::Scene scene;  ///< its traction is not used
+  thermoroll::Given given;
   thermoroll::Formulation formulation;
   double tolerance;
 };
@@ -20,9 +21,11 @@ struct Sample {
 std::string text(const Sample& x);
 
 /// The scene of this number in the sequence of a seed, the same on every machine. Three of four are
-/// log-uniform in Pe 1e-2...1e6, H 1e-4...3, f 0.05...1, uniform in Q*/f 0.01...0.999, at the
+/// such as a user may ask for: log-uniform in f 0.03...1.5, f H 1e-7...50 and Pe 1e-2...1e6 or
+/// 1e-3...1e8, Q*/f log-uniform down to 1e-9 from either end or uniform in between, at the
 /// tolerance 1e-6 or between 1e-8 and 1e-2; the fourth is from the corners: Pe 1e-3...1e8, H 0 or
-/// 1e-6...1e3, f 1e-3...2, and Q*/f down to 1e-12 from either end.
+/// 1e-6...1e3, f 1e-3...2, and Q*/f down to 1e-12 from either end. In a third of all, the creep or
+/// the border of Carter's solution is given in place of the traction.
 Sample sample(std::uint64_t seed, std::uint64_t number);
 
 /// How far something may be from what it should be, and the scene in which it was so far.
@@ -31,11 +34,19 @@ struct Worst {
   std::uint64_t number = 0;
 };
 
+/// How many results were compared with a finer solution, in how many scenes the error was beyond
+/// its estimate, and by how many times at most.
+struct Compared {
+  long scenes = 0, beyond = 0;
+  double worst = 0;
+};
+
 /// What became of many scenes.
 struct Totals {
   std::map<std::string, long> outcomes;         ///< solved, or the refusal without its numbers
   std::map<std::string, long> beside;           ///< what could not be looked at besides, and why
   std::map<std::string, Worst> worst;           ///< by property
+  std::map<int, Compared> compared;             ///< by the decade that the tolerance is in
   std::map<std::string, std::string> failures;  ///< a property and one scene in which it fails
   void add(const Totals& other);
 };
@@ -50,6 +61,8 @@ class Record {
   void within(const char* property, double deviation, double allowed) const;
   /// What became of the scene.
   void outcome(const std::string& what) const;
+  /// A true error, in units of its estimate, of a solution to that tolerance.
+  void compared(double tolerance, double excess) const;
   /// What could not be looked at, and why.
   void beside(const std::string& what, const std::string& why) const;
 
@@ -62,7 +75,7 @@ class Record {
 /// How much of what must hold is looked at.
 enum class Depth {
   results,   ///< of one solve
-  again,     ///< also solved once more, and for a little less traction
+  again,     ///< also solved once more, for a little less traction, and much finer
   profiles,  ///< also what the tractions carry
   energy     ///< also the energy balance, by adaptive quadrature
 };

@@ -1,11 +1,13 @@
-// soak SCENES SECONDS [SEED]: examine so many random scenes, or as many as fit into the seconds if
-// these are not 0, on all processors, and print what became of them. Each block of scenes is a
-// process of its own, so that a crash or a hang costs one scene and is told like any other failure.
+// soak SCENES SECONDS [SEED [TABLE]]: examine so many random scenes, or as many as fit into the
+// seconds if these are not 0, on all processors, and print what became of them. Each block of
+// scenes is a process of its own, so that a crash or a hang costs one scene and is told like any
+// other failure.
 #include <sys/mman.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -28,7 +30,7 @@ constexpr int seconds_a_scene = 60;  // of processor time, before it counts as a
 soak::Depth depth_of(std::uint64_t number) {
   if (number % 1000 == 0) return soak::Depth::energy;
   if (number % 50 == 0) return soak::Depth::profiles;
-  return number % 10 == 0 ? soak::Depth::again : soak::Depth::results;
+  return number % 5 == 0 ? soak::Depth::again : soak::Depth::results;
 }
 
 std::string written(const soak::Totals& x) {
@@ -38,6 +40,8 @@ std::string written(const soak::Totals& x) {
   for (const auto& [what, count] : x.beside) out << "beside\t" << what << '\t' << count << '\n';
   for (const auto& [what, w] : x.worst)
     out << "worst\t" << what << '\t' << w.share << ' ' << w.number << '\n';
+  for (const auto& [decade, c] : x.compared)
+    out << "compared\t" << decade << '\t' << c.scenes << ' ' << c.beyond << ' ' << c.worst << '\n';
   for (const auto& [what, scene] : x.failures) out << "failure\t" << what << '\t' << scene << '\n';
   return out.str();
 }
@@ -51,6 +55,10 @@ soak::Totals totals_from(const std::string& text) {
     if (kind == "outcome") totals.outcomes[what] = std::stol(value);
     if (kind == "beside") totals.beside[what] = std::stol(value);
     if (kind == "failure") totals.failures[what] = value;
+    if (kind == "compared") {
+      soak::Compared& c = totals.compared[std::stoi(what)];
+      std::istringstream(value) >> c.scenes >> c.beyond >> c.worst;
+    }
     if (kind == "worst") {
       const std::size_t blank = value.find(' ');
       totals.worst[what] = {std::stod(value), std::stoull(value.substr(blank + 1))};
@@ -103,6 +111,27 @@ soak::Totals totals_of(const Block& block, int status, std::uint64_t seed) {
   return totals;
 }
 
+/// The estimates against finer solutions: a line of the report, and a table, a row for each decade
+/// of tolerances.
+void report_compared(const std::map<int, soak::Compared>& compared, const char* table) {
+  soak::Compared all;
+  std::ostringstream rows;
+  rows << "tolerance,compared,beyond the estimate,largest error by estimate\n";
+  for (const auto& [decade, c] : compared) {
+    char worst[16];
+    std::snprintf(worst, sizeof worst, "%.2f", c.worst);
+    rows << "1e" << decade << " to 1e" << decade + 1 << ',' << c.scenes << ',' << c.beyond << ','
+         << worst << '\n';
+    all = {all.scenes + c.scenes, all.beyond + c.beyond, std::max(all.worst, c.worst)};
+  }
+  std::printf("%ld compared with finer solutions: %ld beyond the estimate, at most %.3g times\n",
+              all.scenes, all.beyond, all.worst);
+  std::FILE* file = table != nullptr ? std::fopen(table, "w") : nullptr;
+  if (file == nullptr) return;
+  std::fputs(rows.str().c_str(), file);
+  std::fclose(file);
+}
+
 int report(const soak::Totals& totals, std::uint64_t seed, double seconds) {
   long count = 0;
   for (const auto& [what, n] : totals.outcomes) count += n;
@@ -135,7 +164,9 @@ int main(int argc, char** argv) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   soak::Totals totals;
-  soak::examine(0, {{0.6, 0.5, 100, 0.1}, {}, 1e-4}, soak::Depth::energy, totals);  // fills tables
+  const thermoroll::Scene scene{0.6, 0.5, 100, 0.1};
+  const soak::Sample first{scene, {thermoroll::traction, scene.traction}, {}, 1e-4};
+  soak::examine(0, first, soak::Depth::energy, totals);  // fills tables
   totals = {};
   std::vector<Block> blocks(std::max(1u, std::thread::hardware_concurrency()));
   void* shared = mmap(nullptr, blocks.size() * sizeof(std::atomic<std::uint64_t>),
@@ -165,5 +196,7 @@ int main(int argc, char** argv) {
         begin_block(block);
       break;
     }
-  return report(totals, seed, seconds());
+  const int failed = report(totals, seed, seconds());
+  report_compared(totals.compared, argc > 4 ? argv[4] : nullptr);
+  return failed;
 }
