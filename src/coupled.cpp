@@ -50,18 +50,17 @@ int solve_flux(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double
   const auto solve = [&](double share, VectorXd& at) {
     return newton(x, rule, sigma, friction, share, at);
   };
-  const auto holds = [&](double share, const VectorXd& at) {
-    return share * (x.p * at).minCoeff() > -2 / pi &&
-           share * (x.v * at).minCoeff() > -2 * friction / pi;
+  const auto slips = [&](double share, const VectorXd& at) {
+    return share * (x.v * at).minCoeff() > -2 * friction / pi;
   };
   const int direct = solve(1, h);
-  if (direct > 0 && holds(1, h)) return direct;
+  if (direct > 0 && slips(1, h)) return direct;
   VectorXd led = carter;
   for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
     const double next = std::min(1.0, share * growth);
     VectorXd trial = led;
     const int steps = solve(next, trial);
-    if (steps > 0 && holds(next, trial)) {
+    if (steps > 0 && slips(next, trial)) {
       led = trial, share = next;
       if (share == 1) return h = led, steps;
     } else {
@@ -151,7 +150,7 @@ bool converges_slowly(const Scene& scene, const Border& at) {
 
 /// How much of a change since the last grid is believed to be the error of this one of n unknowns.
 double part_of_change(int n, bool slow) {
-  if (n > 200) return slow ? 0.1 : 0.05;
+  if (n > 200) return 0.05;
   if (slow) return n < 30 ? 3 : 1;
   return 0.2;
 }
