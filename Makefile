@@ -308,8 +308,8 @@ sweep-bench: build/thermoroll
 	@mkdir -p figures/measured
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
 
-## golden: take today's data as the golden data of the tests, and the README's picture
-golden: $(data_files) build/figures/temperature-load.svg
+## golden: take today's data and figures as the golden ones of the tests, and the README's picture
+golden: $(data_files) $(filter-out $(drawn_from_times),$(figure_files))
 	@bash tests/figures/update-golden.sh
 
 # --- The rest -------------------------------------------------------------------------------------
