@@ -237,6 +237,7 @@ CellsBringNoHtml() {
 <script>alert(1)</script>,<img src=x onerror=alert(1)>
 <div>,`<i>x</i>`{=html}
 [x]{onclick="alert(1)"},a < b & c > d
+<span onclick="alert(1)">y</span>,<div onclick="alert(1)">z</div>
 END
   chapter <<'END'
 ::: {#tbl:t csv="t.csv"}
