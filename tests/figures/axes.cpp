@@ -92,12 +92,15 @@ bool is_tic(const Item& item) { return item.kind == Item::text && item.colour ==
 Panel read_panel(const Picture& picture, int number, const std::vector<Row>& axes, Wrong& wrong) {
   Panel panel;
   const auto box = split(picture.view_box, ' ');
-  panel.right = std::stod(box.at(2)), panel.bottom = std::stod(box.at(3));
+  panel.right = std::stod(box.at(2));
+  panel.bottom = std::stod(box.at(3));
   for (const Item& item : picture.items)  // the frame: down the left side and to the right
     if (item.plot < 0 && item.panel == number && item.kind == Item::line &&
         item.colour == "rgb(0,0,0)" && item.points.size() == 3) {
-      panel.left = item.points[0].x, panel.top = item.points[0].y;
-      panel.right = item.points[2].x, panel.bottom = item.points[2].y;
+      panel.left = item.points[0].x;
+      panel.top = item.points[0].y;
+      panel.right = item.points[2].x;
+      panel.bottom = item.points[2].y;
     }
   for (const Row& row : axes) {
     const char axis = row.at("axis")[0];

@@ -4,11 +4,13 @@
 
 #include <fnmatch.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,7 @@ std::vector<std::string> figures() {
   for (const auto& entry : fs::directory_iterator(root / "figures"))
     if (entry.path().extension() == ".gp" && entry.path().stem() != "style")
       names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
   return names;
 }
 
@@ -64,10 +67,8 @@ std::string exchanged(const std::string& text, const std::string& a, const std::
 /// A copy of the scripts in a folder of its own.
 class Scripts {
  public:
-  explicit Scripts(const std::string& name)
-      : folder_(fs::path(testing::TempDir()) / ("thermoroll-drawn-" + name)) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  Scripts() : folder_(testing::TempDir() + "thermoroll-XXXXXX") {
+    if (mkdtemp(folder_.data()) == nullptr) throw std::runtime_error("no folder " + folder_);
     for (const auto& entry : fs::directory_iterator(root / "figures"))
       if (entry.path().extension() == ".gp") fs::copy(entry.path(), folder_);
   }
@@ -75,25 +76,25 @@ class Scripts {
   Scripts(const Scripts&) = delete;
   Scripts& operator=(const Scripts&) = delete;
 
-  std::string text(const std::string& script) const { return read(folder_ / (script + ".gp")); }
+  std::string text(const std::string& script) const { return read(path(script)); }
   void write(const std::string& script, const std::string& text) const {
-    std::ofstream(folder_ / (script + ".gp")) << text;
+    std::ofstream(path(script)) << text;
   }
 
-  /// The picture that a script draws of the data in build/data.
+  /// The picture that a script draws of its data, which it looks for from the project's folder.
   std::string draw(const std::string& figure) const {
-    const std::string data = (root / "build/data" / (figure + ".csv")).string();
-    const std::string output = (folder_ / "drawn.svg").string();
-    const std::string command = "LC_ALL=C.UTF-8 gnuplot -e \"data='" + data + "'; output='" +
-                                output + "'\" '" + (folder_ / (figure + ".gp")).string() + "' 2>'" +
-                                (folder_ / "log").string() + "'";
-    if (std::system(command.c_str()) != 0)
-      throw std::runtime_error("gnuplot stops: " + read(folder_ / "log"));
-    return read(output);
+    fs::current_path(root);
+    const std::string drawn = folder_ + "/drawn.svg", log = folder_ + "/log";
+    const std::string command = "LC_ALL=C.UTF-8 gnuplot -e \"output='" + drawn + "'\" '" +
+                                path(figure) + "' 2>'" + log + "'";
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("gnuplot stops: " + read(log));
+    return read(drawn);
   }
 
  private:
-  fs::path folder_;
+  std::string folder_;
+
+  std::string path(const std::string& script) const { return folder_ + "/" + script + ".gp"; }
 };
 
 }  // namespace
@@ -109,7 +110,7 @@ TEST_P(Drawn, ShowsItsData) {
 // left out, an axis. Each exchanges two texts of a script, and must be seen in what the script then
 // draws.
 TEST_P(Drawn, MutatedScriptsAreSeen) {
-  const Scripts scripts(GetParam());
+  const Scripts scripts;
   ASSERT_EQ(first(wrong_in(GetParam(), scripts.draw(GetParam()))), "nothing wrong");
   std::set<std::string> kinds;
   const Table mutations = read_table(root / "tests/figures/expected/mutations.csv");

@@ -29,8 +29,8 @@ std::size_t line_at(const std::vector<double>& lines, double value) {
   return static_cast<std::size_t>(nearest - lines.begin());
 }
 
-/// The value at a place, bilinear in its cell, and by how much another interpolation of the cell's
-/// corners and a shift of two hundredths of a pixel may differ from it.
+/// The value at a place, bilinear in its cell, and by how much one that is linear in triangles of
+/// the cell, and a shift by the tolerance of a place, may differ from it.
 struct Interpolated {
   double value, doubt;
 };
@@ -66,7 +66,8 @@ std::vector<unsigned char> from_base64(const std::string& text) {
   for (const char letter : text) {
     const std::size_t value = letters.find(letter);
     if (value == letters.npos) continue;  // a line's end, or the padding
-    buffer = buffer << 6 | static_cast<unsigned>(value), bits += 6;
+    buffer = buffer << 6 | static_cast<unsigned>(value);
+    bits += 6;
     if (bits < 8) continue;
     bits -= 8;
     bytes.push_back(static_cast<unsigned char>(buffer >> bits & 0xFF));

@@ -14,7 +14,8 @@ namespace {
 double law(const std::string& name, double zeta) {
   if (name == "law slope") return std::log10(2 * zeta);
   if (name == "law near") return std::log10(1 / (zeta * std::log(2 / zeta)));
-  return std::log10(std::sqrt(pi / 2 * zeta));  // law far
+  if (name == "law far") return std::log10(std::sqrt(pi / 2 * zeta));
+  throw std::runtime_error("curves.csv: no " + name);
 }
 
 double seconds_of(const std::string& name) {
