@@ -13,7 +13,7 @@ export LC_ALL := C.UTF-8
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
-check_packages := libgtest-dev clang-format clang-tidy libxml2-utils chromium parallel
+check_packages := libgtest-dev clang-format clang-tidy libpng-dev libxml2-utils chromium parallel
 test_packages := $(figure_packages) $(check_packages)
 
 packages_for_all := $(build_packages)
@@ -308,8 +308,8 @@ sweep-bench: build/thermoroll
 	@mkdir -p figures/measured
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
 
-## golden: take today's data as the golden data of the tests, and the README's picture
-golden: $(data_files) build/figures/temperature-load.svg
+## golden: take today's data and figures as the golden ones of the tests, and the README's picture
+golden: $(data_files) $(filter-out $(drawn_from_times),$(figure_files))
 	@bash tests/figures/update-golden.sh
 
 # --- The rest -------------------------------------------------------------------------------------

@@ -64,8 +64,11 @@ local function escape(text)
   return (text:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }))
 end
 
+--- Data and titles may say in Markdown how a symbol is set, but bring no HTML of their own.
+local without_html = "markdown-raw_html-raw_attribute-native_spans-native_divs-bracketed_spans"
+
 local function inlines_of(markdown)
-  local blocks = pandoc.read(markdown, "markdown").blocks
+  local blocks = pandoc.read(markdown, without_html).blocks
   return blocks[1] and blocks[1].content or pandoc.List()
 end
 
@@ -74,7 +77,7 @@ local function uri_encoded(text)
   return (text:gsub("[^%w%-%._~,;:/]", function(c) return string.format("%%%02X", c:byte()) end))
 end
 
-local function link(id, html) return string.format('<a href="#%s">%s</a>', id, html) end
+local function link(id, html) return string.format('<a href="#%s">%s</a>', escape(id), html) end
 
 -- 1. Labels: what can be referred to, and what it is called -----------------------------------------
 
@@ -263,7 +266,7 @@ local function equation(math, id, paper)
   if id then
     local number = define(id, "eq")
     local theirs = paper and string.format(
-      '<span class="paper-number" title="Equation (%s) of the paper">[%s]</span>', paper, paper) or ""
+      '<span class="paper-number" title="Equation (%s) of the paper">[%s]</span>', escape(paper), escape(paper)) or ""
     table.insert(parts, raw(string.format('<div class="number">(%s) %s</div>', number, theirs)))
   end
   return pandoc.Div(parts, pandoc.Attr(id or "", { "equation" }))
@@ -355,7 +358,7 @@ local function figure(image)
     name, uri_encoded(data), name)
   local text = caption("Figure", number, image.caption)
   text:insert(pandoc.RawInline("html", sources))
-  return { raw('<figure id="' .. id .. '">\n<div class="drawing">'),
+  return { raw('<figure id="' .. escape(id) .. '">\n<div class="drawing">'),
            raw(inline_svg(svg, name, alternative)), raw("</div>\n<figcaption>"),
            pandoc.Plain(text), raw("</figcaption>\n</figure>") }
 end
@@ -369,7 +372,7 @@ end
 
 local function framed_table(content, id, text, class)
   content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
-  local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", id) or "<figure>") })
+  local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
                     raw("</figcaption>") })
@@ -486,7 +489,7 @@ local function anchor(piece)
   return "lst:" .. piece.id .. (piece.part > 1 and ":" .. piece.part or "")
 end
 
-local function file_link(path) return link("file:" .. path, "<code>" .. path .. "</code>") end
+local function file_link(path) return link("file:" .. path, "<code>" .. escape(path) .. "</code>") end
 
 --- The lines of a code as HTML; `@eq:id` in them becomes a link. Operators have no colour of their own,
 --- and their tags would be a quarter of the report.
@@ -549,7 +552,7 @@ local function joined(pieces_using)
   return table.concat(out, ", ")
 end
 
-local function where(piece) return string.format("<span>%s:%d</span>", piece.source, piece.line) end
+local function where(piece) return string.format("<span>%s:%d</span>", escape(piece.source), piece.line) end
 
 local function chunk_box(piece)
   local chunk, notes, parts = chunks[piece.id], {}, ""
@@ -569,7 +572,7 @@ local function chunk_box(piece)
   end
   return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', anchor(piece), chunk.html, parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), chunk.html, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -644,7 +647,7 @@ end
 local function listing(id, title, note, lines, language)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
     .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
-    .. "</details>", id, title, note, table.concat(highlighted(lines, language), "\n")))
+    .. "</details>", escape(id), escape(title), note, table.concat(highlighted(lines, language), "\n")))
 end
 
 local function file_index()

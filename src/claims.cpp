@@ -25,6 +25,12 @@ std::string verdict(bool holds, const std::string& how) {
   return how.empty() ? "holds" : "holds, " + how;
 }
 
+Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
+  const std::string bound = std::to_string(most);
+  return {"to 0.1 %, at most " + bound + " iterations on " + unknown, bound, std::to_string(found),
+          "–", verdict(converged && found <= most)};
+}
+
 double speed_at(double pe) {
   const PhysicalCase steel = wheel_on_rail();
   return 2 * steel.diffusivity * pe / steel.half_width;
@@ -225,10 +231,8 @@ Record record_of(const std::vector<Case>& cases) {
 Claims on_the_iteration(const std::vector<Case>& cases) {
   const Record x = record_of(cases);
   const bool exact = std::max(x.coarse_error, x.fine_error) <= 0.1;
-  return {{"to 0.1 %, at most 20 iterations on c0", "20", std::to_string(x.inner), "–",
-           verdict(x.converged && x.inner <= 20)},
-          {"to 0.1 %, at most 35 iterations on v*", "35", std::to_string(x.outer), "–",
-           verdict(x.converged && x.outer <= 35)},
+  return {claim_on_steps("c0", 20, x.inner, x.converged),
+          claim_on_steps("v*", 35, x.outer, x.converged),
           {"relative accuracy 0.1 % with n = 50 … 200", "0.1 %",
            "T*max within " + fixed(x.coarse_error, 1) + " % … " + fixed(x.fine_error, 1) + " %",
            "–", verdict(x.converged, exact ? "" : "for the iteration, not for T*max")}};

@@ -25,6 +25,9 @@ std::string verdict_on(const std::string& paper, double ours);
 /// "holds" or "does not hold"; what holds may say how: "holds, by construction".
 std::string verdict(bool holds, const std::string& how = "");
 
+/// The claim that an iteration on `unknown` takes at most so many steps; found are those it takes.
+Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged);
+
 /// How the published scheme fares over the paper's sixteen cases with 50 and with 200 nodes, run to
 /// 0.1 %.
 struct Record {

@@ -312,15 +312,14 @@ SchemeEnd end_of_scheme(const Scene& scene, Formulation formulation) {
 void values_on_contacts(nlohmann::ordered_json& v) {
   constexpr int count = 300;
   int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
-  for (auto [scene, formulation] : random_scenes(count)) {
-    scene.heating *= 10;
-    try {
-      const Given given{traction, scene.traction};
-      wrong += solve_coupled(scene, formulation, 1e-3, given).violations.empty() ? 0 : 1;
-    } catch (const std::runtime_error&) {
-      ++refused;
-    }
-    const SchemeEnd end = end_of_scheme(scene, formulation);
+  for (Sample x : random_scenes(count)) {
+    x.scene.heating *= 10;
+    const Given given{traction, x.scene.traction};
+    const Outcome found =
+        outcome([&] { return solve_coupled(x.scene, x.formulation, 1e-3, given); });
+    refused += found == Outcome::refused ? 1 : 0;
+    wrong += found == Outcome::no_contact ? 1 : 0;
+    const SchemeEnd end = end_of_scheme(x.scene, x.formulation);
     unsettled += end == SchemeEnd::unsettled || end == SchemeEnd::lost ? 1 : 0;
     scheme_wrong += end == SchemeEnd::lost || end == SchemeEnd::wrong ? 1 : 0;
   }
@@ -432,12 +431,9 @@ std::array<int, 3> survivors(Formulation formulation, double heating) {
     for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
       const double f = paper::friction;
       const Scene scene{f, 0, std::pow(10, decade), heating};
-      try {
-        const CoupledSolution x = solve_coupled(scene, formulation, 1e-3, {traction, f * share});
-        count[x.violations.empty() ? 0 : 1] += 1;
-      } catch (const std::runtime_error&) {
-        count[2] += 1;
-      }
+      const Given given{traction, f * share};
+      const Outcome found = outcome([&] { return solve_coupled(scene, formulation, 1e-3, given); });
+      ++count[static_cast<std::size_t>(found)];
     }
   return count;
 }
@@ -502,8 +498,8 @@ Trial try_ladder(const Sample& x, double tolerance) {
   try {
     const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
     const CoupledSolution better = solve_coupled(x.scene, x.formulation, tolerance / 10, given);
-    const Values off = (choice.solution.value - better.value).abs() / scale_of(better.value);
-    return {static_cast<int>(choice.model), off.head(hottest + 1).maxCoeff() / tolerance};
+    const double off = largest_difference(choice.solution.value, better.value);
+    return {static_cast<int>(choice.model), off / tolerance};
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -553,8 +549,7 @@ void values_on_least_model(nlohmann::ordered_json& v) {
   const double lambda = 2 * paper::closed_form(0.5).slip_half_width * paper::peclet;
   const CoupledSolution best = solve_coupled(scene, Formulation::corrected, 1e-8, given);
   const CoupledSolution cold = closed_form(scene, Formulation::corrected, 1e-8, given);
-  const Values change = (best.value - cold.value).abs() / scale_of(best.value);
-  const double most = change.head(hottest + 1).maxCoeff();
+  const double most = largest_difference(cold.value, best.value);
   v["least_scenes"] = std::to_string(random_count);
   v["least_lambda"] = fixed(lambda, 0);
   v["least_limit_error"] = scientific(1.3 / (lambda * lambda), 1);
@@ -596,6 +591,15 @@ void values(std::ostream& out) {
   nlohmann::ordered_json v;
   const PhysicalCase steel = wheel_on_rail();
   const CoupledSolution contact = paper::coupled(0.5, paper::peclet);
+  v["steel_load"] = scientific(steel.load, 2);
+  v["steel_speed"] = shortest(steel.speed);
+  v["steel_half_width"] = scientific(steel.half_width, 2);
+  v["steel_shear_modulus"] = scientific(steel.shear_modulus, 2);
+  v["steel_poisson"] = shortest(steel.poisson);
+  v["steel_expansion"] = scientific(steel.expansion, 2);
+  v["steel_diffusivity"] = scientific(steel.diffusivity, 2);
+  v["steel_conductivity"] = shortest(steel.conductivity);
+  v["steel_friction"] = shortest(paper::friction);
   const Scene groups = scene_of(steel, paper::friction, 0.5);
   const double compliance = 4 * (1 - steel.poisson) * steel.load / (pi * steel.shear_modulus);
   v["hertz_p0"] = fixed(2 / pi * units_of(steel, paper::friction).traction / 1e9, 2);
@@ -743,6 +747,12 @@ const std::vector<std::pair<std::string, Writer>>& writers() {
 }
 
 }  // namespace
+
+Outcome outcome(const std::function<CoupledSolution()>& solve) try {
+  return solve().violations.empty() ? Outcome::contact : Outcome::no_contact;
+} catch (const std::runtime_error&) {
+  return Outcome::refused;
+}
 
 std::vector<std::string> figure_data_names() {
   std::vector<std::string> names;

@@ -138,6 +138,10 @@ double expected_change(const Scene& scene, const Carter& c) {
   return scene.friction * scene.heating * std::min(std::sqrt(half), own_peclet);
 }
 
+double largest_difference(const Values& x, const Values& exact) {
+  return ((x - exact).abs() / scale_of(exact)).head(hottest + 1).maxCoeff();
+}
+
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
                             const Given& given) {
   const Carter c = carter_given(scene.friction, given);

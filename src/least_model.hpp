@@ -20,6 +20,10 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Given& given);
 
+/// The largest difference of any quantity but the place of the hottest point, in units of what its
+/// tolerance is relative to; dimensionless.
+double largest_difference(const Values& x, const Values& exact);
+
 enum class Model { closed_form, first_order, coupled };
 
 /// A solution, the model that it is of, and why that one.

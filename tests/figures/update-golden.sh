@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Take today's data as the golden data, and today's picture for the README (`make golden`); what
-# changed is listed. The tolerances, in figures/golden/tolerances.csv, are written by hand.
+# Take today's data as the golden data, with a digest of each figure drawn from them, and today's
+# picture for the README (`make golden`); what changed is listed. The tolerances, in
+# figures/golden/tolerances.csv, are written by hand.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tests/figures/digests.sh
 mkdir -p figures/golden
 
 # replace FILE: by what stands on stdin, if that is something else; never by half of it.
@@ -16,13 +18,18 @@ replace() {
   fi
 }
 
+# What the program lists, and no table that an earlier one has left in build/data.
+names=$(build/thermoroll figure-data --list)
 for golden in figures/golden/*.csv; do
-  name=$(basename "$golden")
-  [ "$name" = tolerances.csv ] || [ ! -e "$golden" ] || [ -e "build/data/$name" ] || rm "$golden"
+  name=$(basename "$golden" .csv)
+  [ "$name" = tolerances ] || [ ! -e "$golden" ] || grep -qx "$name" <<<"$names" || rm "$golden"
 done
-for table in build/data/*.csv; do
-  case $(basename "$table") in times.csv | bars.csv | shares.csv | contact.csv) continue ;; esac # times are never golden
-  replace "figures/golden/$(basename "$table")" <"$table"
+for name in $names; do
+  kind=csv
+  [ "$name" != values ] || kind=json
+  replace "figures/golden/$name.$kind" <"build/data/$name.$kind"
 done
+digests build/figures >build/digests.txt
+replace figures/golden/digests.txt <build/digests.txt
 bash tests/figures/readme-picture.sh >build/readme-picture.svg
 replace figures/golden/temperature-load.svg <build/readme-picture.svg

@@ -83,6 +83,39 @@ NamedTestsExist() {
   expect_none "$(comm -23 "$work/named" "$work/tests")" "tests that do not exist"
 }
 
+# words FILE: the text of a page, without the sources of formulas.
+words() { sed 's/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g' "$1"; }
+
+# named: the values that the chapters name, KEY once for each time.
+named() { cat paper/*.md | grep -oE '\\value\{[a-z0-9_]+\}|`[a-z0-9_]+`\{\.value\}' | grep -oE '[a-z0-9_]{2,}' | grep -vx value; }
+
+# Each value in turn is given a number that is nowhere else, with its sign and with what stands about
+# it kept. The page must show that number, to the last digit, as often as the chapters name the value.
+ValuesStandAsWritten() {
+  local key sign number times found
+  mkdir -p "$work/project/build"
+  cp -r paper figures "$work/project/"
+  cp -r build/data build/figures "$work/project/build/"
+  for file in values speed; do
+    awk -F'"' -v OFS='"' -v first=$([ $file = values ] && echo 71001 || echo 81001) '
+      NF > 4 {
+        number = first + NR ".6543"
+        if (!sub(/[0-9]+([.][0-9]+)?/, number, $4)) $4 = $4 " " number
+        print $2, ($4 ~ /^[$]?-/ ? "−" : ""), number >"/dev/stderr"
+      }
+      { print }' "build/data/$file.json" >"$work/project/build/data/$file.json" 2>>"$work/numbers"
+  done
+  (cd "$work/project" && weave ../page.html paper/*.md)
+  words "$work/page.html" >"$work/words"
+  named | sort | uniq -c >"$work/named"
+  [ "$(wc -l <"$work/named")" -gt 50 ] || fail "hardly any value is named"
+  while read -r times key; do
+    IFS='"' read -r _ sign number < <(grep "^$key\"" "$work/numbers") || fail "no value $key"
+    found=$(grep -oF -- "$sign$number" "$work/words" | wc -l)
+    [ "$found" = "$times" ] || fail "$key is named $times times, and $sign$number shown $found times"
+  done <"$work/named"
+}
+
 WovenTwiceAlike() { # the first time by make, which tells the revision
   local revision
   revision=$(sed -n 's|.* Revision \(.*\)\.</p>$|\1|p' "$report")

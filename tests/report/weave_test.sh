@@ -230,6 +230,51 @@ END
   expect 'Table 1. The caption.' 'other'
 }
 
+# What a cell or a title holds is read as text and formulas, never as HTML.
+CellsBringNoHtml() {
+  cat >build/data/t.csv <<'END'
+<b>Name</b>,Text
+<script>alert(1)</script>,<img src=x onerror=alert(1)>
+<div>,`<i>x</i>`{=html}
+[x]{onclick="alert(1)"},a < b & c > d
+<span onclick="alert(1)">y</span>,<div onclick="alert(1)">z</div>
+END
+  chapter <<'END'
+::: {#tbl:t csv="t.csv"}
+The caption.
+:::
+
+``` {.cpp #part title="A <b>bold</b> title"}
+int a;
+```
+END
+  expect '&lt;b&gt;Name&lt;/b&gt;' '&lt;script&gt;alert(1)&lt;/script&gt;' '&lt;img src=x onerror=alert(1)&gt;' \
+    '&lt;div&gt;' 'a &lt; b &amp; c &gt; d' 'A &lt;b&gt;bold&lt;/b&gt; title'
+  local part
+  for part in '<script' '<img' '<b>' '<i>' 'onclick="'; do
+    if sed '1,/<article/d' page.html | grep -F -- "$part"; then fail "HTML from the data: $part"; fi
+  done
+}
+
+# In attributes every character of HTML's own is written out.
+AttributesAreEscaped() {
+  draw f
+  chapter <<'END'
+![One.](figures/f.svg){#fig:f fig-alt="p < 2 & \"q\" > 1"}
+
+$$ a $$ {#eq:a paper=2<3&4}
+
+``` {.cpp file="src/a<b&.cpp"}
+int a;
+```
+END
+  weave page.html one.md
+  xmllint --noout page.html
+  expect_html 'aria-label="p &lt; 2 &amp; &quot;q&quot; &gt; 1"' 'title="Equation (2&lt;3&amp;4) of the paper">[2&lt;3&amp;4]<' \
+    'id="file:src/a&lt;b&amp;.cpp"' 'href="#file:src/a&lt;b&amp;.cpp"><code>src/a&lt;b&amp;.cpp</code>' \
+    'id="lst:src/a&lt;b&amp;.cpp"'
+}
+
 FiguresKeepTheirIdsApart() {
   draw f
   draw g

@@ -151,6 +151,19 @@ TEST(Claims, OnlyWhatHoldsSaysHow) {
 
 // A reader can redo the verdicts from the other cells: where both the paper's cell and ours are a
 // number, the rule applied to what is printed; where ours is no, it does not hold.
+// An iteration that takes as many steps as its bound still holds; one that has not converged has no
+// number of steps.
+TEST(Claims, StepsHoldUpToTheirBound) {
+  for (const int most : {1, 20}) {
+    EXPECT_EQ(thermoroll::claim_on_steps("c0", most, most, true).verdict, "holds");
+    EXPECT_EQ(thermoroll::claim_on_steps("c0", most, most + 1, true).verdict, "does not hold");
+    EXPECT_EQ(thermoroll::claim_on_steps("c0", most, most, false).verdict, "does not hold");
+    const Claim claim = thermoroll::claim_on_steps("v*", most, 0, true);
+    EXPECT_EQ(claim.paper, std::to_string(most));
+    EXPECT_EQ(claim.claim, "to 0.1 %, at most " + claim.paper + " iterations on v*");
+  }
+}
+
 TEST(Claims, VerdictsFollowFromTheTable) {
   int numbers = 0, statements = 0;
   for (const Claim& c : claims()) {

@@ -262,6 +262,19 @@ TEST(LeastModel, MeetsEveryTolerance) {
 }
 
 // The paper's scene, and that more heat or a smaller tolerance never takes a lesser model.
+// What is told of errors counts every quantity, the temperature as well; only the place of the
+// hottest point has a tolerance of its own.
+TEST(LeastModel, EveryQuantityCountsInTheLargestDifference) {
+  const Values exact = better({0.6, 0.5, 100, 1}, Formulation::corrected, 1e-4).value;
+  EXPECT_EQ(thermoroll::largest_difference(exact, exact), 0);
+  for (int what = 0; what < exact.size(); ++what) {
+    Values x = exact;
+    x(what) += 1e-3 * thermoroll::scale_of(exact)(what);
+    const double counted = what == thermoroll::hottest_at ? 0 : 1e-3;
+    EXPECT_NEAR(thermoroll::largest_difference(x, exact), counted, 1e-12) << what;
+  }
+}
+
 TEST(LeastModel, TakesTheRungsInTurn) {
   const Given given{thermoroll::traction, 0.5};
   const auto model = [&](double heating, double tolerance) {

@@ -79,6 +79,17 @@ TEST(Timings, MediansOfTheBenchmarksOutput) {
   EXPECT_DOUBLE_EQ(times.at("c"), 4e-9);
 }
 
+// Of the repetitions as many are longer than the median as are shorter, in whatever order they ran.
+TEST(Timings, MedianHasAsManyAboveAsBelow) {
+  for (const int repetitions : {1, 3, 5, 7, 9}) {
+    std::string runs;
+    for (int k = 0; k < repetitions; ++k)  // 2 has no common divisor with the odd number: all, once
+      runs += (k > 0 ? "," : "") + repetition("a", 1 + 2 * k % repetitions, "s");
+    const File file(R"({"benchmarks": [)" + runs + "]}");
+    EXPECT_EQ(thermoroll::read_times(file.path()).at("a"), (1 + repetitions) / 2) << repetitions;
+  }
+}
+
 TEST(Timings, RefusesWhatIsNoOutput) {
   for (const std::string text :
        {"", "text", "[]", "{}", R"({"benchmarks": [{}]})", R"({"benchmarks": [{"run_name": 1}]})",
