@@ -285,11 +285,12 @@ valgrind: build/thermoroll
 
 SOAK_SCENES ?= 1000000
 SOAK_SEED ?= 1
+ESTIMATES ?= build/estimates.csv
 ## soak: a million random scenes (SOAK_SCENES), or as many as fit into MINUTES
 soak: build/thermoroll
 	@$(compile) build/release --target soak
 	@build/release/tests/soak/soak $(SOAK_SCENES) $$((60 * $(or $(MINUTES),0))) $(SOAK_SEED) \
-	  >build/soak.log; status=$$?; sed -n '1p; /^FAILED/p' build/soak.log; exit $$status
+	  $(ESTIMATES) >build/soak.log; status=$$?; sed -n '1p; /compared with/p; /^FAILED/p' build/soak.log; exit $$status
 
 fuzz_targets := arguments file table scene
 ## fuzz: look for inputs that break a way in, each for its share of MINUTES (4; needs clang)

@@ -143,6 +143,13 @@ Level find_border(const Scene& scene, Formulation formulation, int n, const Give
   return level;
 }
 
+/// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
+double unresolved(double tail, int n, bool slow) {
+  const double part = (n < 30 ? 20.0 : 10.0) / n / n;
+  const double layer = slow || tail > 2e-4 ? std::min(1e3 * tail, 1.0) : 0;
+  return tail * std::max(part, layer);
+}
+
 /// Strong heating, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const Border& at) {
   return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
@@ -167,16 +174,13 @@ double estimate(const Values& change, double now, double before, int n, bool slo
   for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
   const double size = n, part = part_of_change(n, slow);
   const double shrunk = std::clamp(now / before, part / 4, part);
-  const double unresolved = now * std::clamp(1e3 * now, (n < 30 ? 20 : 10) / (size * size), 1.0);
-  return std::max({unresolved, part * integrals, shrunk * change(hottest)}) +
+  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(hottest)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 
-bool same_places(const std::vector<Violation>& a, const std::vector<Violation>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    const double moved = std::abs(x.from - y.from) + std::abs(x.to - y.to);
-    return x.what == y.what && moved < 0.1 * (x.to - x.from);
-  });
+bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.what == y.what; });
 }
 
 /// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
@@ -307,7 +311,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
       CoupledSolution x{value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
       x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
       x.error(hottest_at) = level.at.slip * std::sqrt(error);  // the maximum is flat
-      if (error <= tolerance && same_places(level.violations, last.violations)) return x;
+      if (error <= tolerance && same_kinds(level.violations, last.violations)) return x;
       stalled = n > 64 && error > 0.5 * best && error > 100 * tolerance ? stalled + 1 : 0;
       if (stalled == 2) break;  // it gets nowhere
       best = error;
