@@ -748,6 +748,27 @@ ClosedPipe() {
   one_line "cannot write to standard output"
 }
 
+# A write that a signal interrupts and one that takes but a part go on. (LD_PRELOAD is cut at blanks.)
+WritesGoOn() {
+  answers solve "${paper_case[@]}" --format json
+  cp out expected
+  "${CXX:-c++}" -shared -fPIC -o "$scratch/interrupted.so" -x c++ - -ldl <<'END'
+#include <dlfcn.h>
+#include <unistd.h>
+#include <cerrno>
+extern "C" ssize_t write(int file, const void* text, size_t size) {
+  static int count = 0;
+  if (++count % 2 == 1) return errno = EINTR, -1;
+  const auto whole = reinterpret_cast<decltype(&write)>(dlsym(RTLD_NEXT, "write"));
+  return whole(file, text, size < 100 ? size : 100);
+}
+END
+  LD_PRELOAD="$scratch/interrupted.so" "$program" solve "${paper_case[@]}" --format json >out
+  cmp out expected || fail "another answer"
+  LD_PRELOAD="$scratch/interrupted.so" "$program" solve "${paper_case[@]}" --format json --output file
+  cmp file expected || fail "another answer in the file"
+}
+
 VerboseTellsTheTime() {
   answers solve "${paper_case[@]}"
   cp out expected
