@@ -322,6 +322,9 @@ RadiusAgreesWithHalfWidth() {
     near "$(calculate "$(value half_width) / 5.5e-3")" 1 2e-9 # the fixed point's tolerance
     near "$(calculate "$(value radius) / $radius")" 1 2e-9
     near "$(value max_temperature)" "$(sed -n 's/^  "max_temperature": \(.*\),/\1/p' by-half-width)" 1e-11
+    [ $method != gauss-chebyshev ] || continue # it has no errors
+    [ "$(grep -c '"half_width": 0.0,' by-half-width)" -eq 1 ] || fail "an error of what is given: $(cat by-half-width)"
+    ! grep -q '"half_width": 0.0,' out || fail "no error of what was found: $(cat out)"
   done
 }
 
