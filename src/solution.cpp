@@ -186,27 +186,14 @@ Top top(Eigen::Index points, const Curve& curve) {
   return found;
 }
 
-Peaks series_peaks(const SmoothTractions& by, double friction) {
-  const auto highest = [&](Eigen::ArrayXd Curves::*what) {
-    return top(4 * by.h.size() + 1, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
-      return curves_at(x, by, friction).*what;
-    });
-  };
-  const Top p = highest(&Curves::slip_pressure), stick_p = highest(&Curves::stick_pressure);
-  const Top stick_q = highest(&Curves::stick_traction), flux = highest(&Curves::heat_flux);
-  Peaks peak{p.value, friction * p.value, flux.value};
-  if (stick_p.at > -1) peak.pressure = std::max(peak.pressure, stick_p.value);
-  if (stick_q.at > -1) peak.traction = std::max(peak.traction, stick_q.value);
-  return peak;
-}
-
 FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   const int n = found.unknowns, other = n > 320 ? 2 * n / 3 : 3 * n / 2;
   const double f = x.scene.friction, half = found.value(slip_length) / 2;
   const auto on = [&](int grid) {
-    return series_peaks(smooth_tractions(x.scene, x.approach.formulation, found, grid), f);
+    return largest(smooth_tractions(x.scene, x.approach.formulation, found, grid), f);
   };
   const bool closed = x.model == name_of(Model::closed_form);
+  const bool better = other > n && x.model == name_of(Model::coupled);
   const Carter carter{f, 1 - half, half, found.value(border), found.value(creep)};
   const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
   const double e = x.error->heat_integral / x.value.heat_integral;
@@ -214,7 +201,7 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
     return std::abs(changed.*what - own.*what) + e * own.*what;
   };
   const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
-  return {closed || other < n ? own : changed, errors};
+  return {better ? changed : own, errors};
 }
 
 /// Results and peaks, or their errors, in SI units; without the sizes and Hertz's pressure.
@@ -253,6 +240,20 @@ Profile profile(const Solution& x) {
   throw std::invalid_argument(
       "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
       "temperature is infinite");
+}
+
+Peaks largest(const SmoothTractions& by, double friction) {
+  const auto highest = [&](Eigen::ArrayXd Curves::*what) {
+    return top(4 * by.h.size() + 1, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
+      return curves_at(x, by, friction).*what;
+    });
+  };
+  const Top p = highest(&Curves::slip_pressure), stick_p = highest(&Curves::stick_pressure);
+  const Top stick_q = highest(&Curves::stick_traction), flux = highest(&Curves::heat_flux);
+  Peaks peak{p.value, friction * p.value, flux.value};
+  if (stick_p.at > -1) peak.pressure = std::max(peak.pressure, stick_p.value);
+  if (stick_q.at > -1) peak.traction = std::max(peak.traction, stick_q.value);
+  return peak;
 }
 
 FoundPeaks peaks(const Solution& x) {

@@ -75,6 +75,9 @@ struct FoundPeaks {
 
 FoundPeaks peaks(const Solution& x);
 
+/// The peaks of tractions that are known as series.
+Peaks largest(const SmoothTractions& by, double friction);
+
 /// All profiles along the contact. Throws std::invalid_argument for the scheme.
 Profile profile(const Solution& x);
 

@@ -110,6 +110,20 @@ TEST(Output, QuotedCellsReadBack) {
   }
 }
 
+// A single number of a case in SI units or of its errors that is not finite is refused by name.
+TEST(Output, NoResultThatIsNotFinite) {
+  const PhysicalCase c = wheel_on_rail();
+  const Solution x = solve(scene_of(c, 0.6, 0.5), {Method::closed_form});
+  FoundInSi value = in_si_units(x, c), error = value;
+  value.value.max_traction = error.error->max_traction = std::nan("");
+  for (const FoundInSi& si : {value, error}) try {
+      present(x, si, Format::json);
+      ADD_FAILURE() << "written";
+    } catch (const NotConverged& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("max_traction is"), std::string::npos);
+    }
+}
+
 TEST(Output, NoTemperatureThatIsNotFinite) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double t : {infinity, -infinity, std::nan("")}) {

@@ -290,6 +290,46 @@ TEST(Solution, PeaksOfTheClosedFormThatWasChosen) {
   }
 }
 
+// Tractions made of constants, whose peaks can be told. With p-hat = 2/pi everywhere, the largest
+// pressure is 2/pi, in the middle. Where nothing corrects it, the traction of the stick zone is f
+// times the pressure, so that its peak is in the middle of the contact, too, and not at the border.
+// Where more pressure is on one zone than on the other, its peak is on that, or at the border.
+TEST(Solution, PeaksMayBeAnywhere) {
+  const auto constant = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+  const double unit = 2 / pi;
+  for (const double slip : {1e-9, 0.1, 0.5, 0.9}) {
+    const double root = std::sqrt(slip * (2 - slip));  // of (1 - s^2) at the border
+    const auto made = [&](double on_slip, double on_stick, double bracket) {
+      return largest(
+          {slip, 2 - slip, constant(0.1), constant(on_slip), constant(on_stick), constant(bracket)},
+          0.6);
+    };
+    EXPECT_NEAR(made(unit, unit, 0).pressure, unit, 1e-15);
+    EXPECT_NEAR(made(unit, unit, 0).traction, 0.6 * unit, 1e-15);
+    EXPECT_NEAR(made(unit, unit, 0.6 * unit).traction / (0.6 * unit * root), 1, 1e-14);
+    EXPECT_NEAR(made(9, unit / 1e9, 0.6).pressure / (9 * root), 1, 1e-14);
+    EXPECT_NEAR(made(unit, unit, 0).heat_flux / (slip / 2 * 0.1), 1, 1e-14);
+  }
+}
+
+// Of the grids that are looked at the finest counts, which is 480 at the most; but a lesser model
+// keeps its own peaks.
+TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
+  const Scene scene{0.6, 0.3, 1000, 1};
+  int finest = 0;
+  for (const Method method : {Method::coupled, Method::first_order})
+    for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
+      const Solution x = solve(scene, {method, Formulation::printed, 200, tolerance});
+      const auto& found = std::get<CoupledSolution>(x.found);
+      int n = found.unknowns;
+      finest = std::max(finest, n);
+      if (method == Method::coupled && n <= 320) n = 3 * n / 2;
+      const Peaks y = largest(smooth_tractions(scene, Formulation::printed, found, n), 0.6);
+      for (const auto peak : all_peaks) EXPECT_EQ(peaks(x).value.*peak, y.*peak) << n;
+    }
+  EXPECT_GT(finest, 320);
+}
+
 // No node of the profile is above the peak by more than its error, and the highest is hardly
 // below: the nodes are at most pi/n apart in the variable of their zone, half of that from the
 // top, and there a curve that changes over a tenth of the zone falls by 100/2 (pi/2n)^2 of itself.
