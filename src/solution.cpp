@@ -168,22 +168,20 @@ struct Top {
   double at, value;
 };
 
-/// The top of a curve on -1 <= x <= 1 that so many points show. About the best of them the search
-/// goes on with nine at a time, until they are so near that the top is flat.
+/// The top of a curve on -1 <= x <= 1 that so many points show, which crowd towards the ends. About
+/// the best of them the search goes on with nine at a time, until they are so near that the top is
+/// flat.
 template <class Curve>
 Top top(Eigen::Index points, const Curve& curve) {
-  double low = -1, high = 1;
-  Top found{};
-  while (high - low > 1e-8) {
-    const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(points, low, high);
+  Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
+  for (;;) {
     Eigen::Index best = 0;
-    found.value = curve(x).maxCoeff(&best);
-    found.at = x(best);
-    low = x(std::max<Eigen::Index>(best - 1, 0));
-    high = x(std::min(best + 1, points - 1));
-    points = 9;
+    const double value = curve(x).maxCoeff(&best);
+    const double low = x(std::max<Eigen::Index>(best - 1, 0));
+    const double high = x(std::min(best + 1, x.size() - 1));
+    if (high - low < 1e-8) return {x(best), value};
+    x = Eigen::ArrayXd::LinSpaced(9, low, high);
   }
-  return found;
 }
 
 FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "carter.hpp"
+#include "operators.hpp"
 
 using namespace thermoroll;
 
@@ -309,6 +310,29 @@ TEST(Solution, PeaksMayBeAnywhere) {
     EXPECT_NEAR(made(unit, unit, 0.6 * unit).traction / (0.6 * unit * root), 1, 1e-14);
     EXPECT_NEAR(made(9, unit / 1e9, 0.6).pressure / (9 * root), 1, 1e-14);
     EXPECT_NEAR(made(unit, unit, 0).heat_flux / (slip / 2 * 0.1), 1, 1e-14);
+  }
+}
+
+// Of many tops the highest is found, in series whose coefficients decrease as a solution's do.
+// Samples that are 1e-4 apart miss it by 1e-8/2 times the curvature, which for a Legendre series
+// of degree 24 is below its degree to the fourth power.
+TEST(Solution, PeaksAreTheHighestOfManyTops) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-2, 2);
+  for (int k = 0; k < 40; ++k) {
+    Eigen::VectorXd pressure(25);
+    for (Eigen::Index l = 0; l < 25; ++l) pressure(l) = uniform(generator) * std::pow(0.85, l);
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(25);
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(20001, -1, 1);
+    const Eigen::ArrayXd series = legendre(y, 25) * pressure;
+    double highest = 0;
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      const double right = 0.8 * (1 - Place(1 + y(i), 1 - y(i)).t());
+      highest = std::max(highest, std::sqrt(right * (2 - right)) * series(i));
+    }
+    const double found = largest({0.8, 1.2, zero, pressure, zero, zero}, 0.6).pressure;
+    EXPECT_GE(found, highest * (1 - 1e-14));
+    EXPECT_NEAR(found, highest, 0.5e-8 * std::pow(24, 4));
   }
 }
 
