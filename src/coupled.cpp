@@ -356,7 +356,7 @@ Profile profile(const Scene& scene, Formulation formulation, const CoupledSoluti
 SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
                                  const CoupledSolution& x, int n) {
   const Border at{x.value(slip_length), 1 + x.value(border)};
-  const Rules rules(n, at.slip * scene.peclet);
+  const Rules rules(n, at, scene.peclet);
   const Zones z = zones(at, rules.slip, rules.stick);
   const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
   const Inverses inverses = invert(z, sides, scene.friction);

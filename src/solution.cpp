@@ -152,7 +152,7 @@ struct Curves {
 Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
   const Rule places{x, 0 * x, (1 + x) / 2, {}, {}};
   const Zones z = zones({by.slip, by.stick}, places, places);
-  const Eigen::MatrixXd p = legendre(x, by.h.size()), q = p.leftCols(by.bracket.size());
+  const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
   const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
   const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
   Curves y;
@@ -241,8 +241,9 @@ Profile profile(const Solution& x) {
 }
 
 Peaks largest(const SmoothTractions& by, double friction) {
+  const Eigen::Index points = 4 * std::max(by.h.size(), by.bracket.size()) + 1;
   const auto highest = [&](Eigen::ArrayXd Curves::*what) {
-    return top(4 * by.h.size() + 1, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
+    return top(points, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
       return curves_at(x, by, friction).*what;
     });
   };
