@@ -185,7 +185,7 @@ SolvedCase solve_case(const Case& c) {
   }
   const Solution x = solve(scene, c.approach, c.given);
   if (!physical) return {x, {}, {}};
-  return {x, units_of(*physical, scene.friction), in_si_units(x, *physical)};
+  return {x, units_of(*physical, scene.friction), in_si_units(x, *physical, c.radius.has_value())};
 }
 
 std::string reworded(const CLI::ParseError& error, const std::vector<std::string>& unclaimed) {

@@ -52,7 +52,7 @@ Case read_case(const CaseOptions& o);
 struct SolvedCase {
   Solution solution;
   std::optional<Units> units;
-  std::optional<PhysicalResults> physical;
+  std::optional<FoundInSi> physical;
 };
 
 /// Solve a case; throws as solve() and half_width_of_radius() do.

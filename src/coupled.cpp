@@ -357,4 +357,25 @@ Profile profile(const Scene& scene, Formulation formulation, const CoupledSoluti
   return profile;
 }
 
+SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
+                                 const CoupledSolution& x, int n) {
+  const Border at{x.value(slip_length), 1 + x.value(border)};
+  const Rules rules(n, at, scene.peclet);
+  const Zones z = zones(at, rules.slip, rules.stick);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
+  const Inverses inverses = invert(z, sides, scene.friction);
+  VectorXd h = VectorXd::Zero(n);
+  const Index known = std::min(h.size(), x.h.size());
+  h.head(known) = x.h.head(known);
+  if (n != x.unknowns) newton(inverses, rules.slip, at.stick + at.slip * z.t, scene.friction, 1, h);
+  const Factors found = factors(rules, z, sides, inverses, scene.friction, h);
+  const Index m = z.d.size();
+  const VectorXd stick_pressure = found.pressure.head(m).reverse();
+  const VectorXd bracket = found.slip.head(m).reverse();
+  const MatrixXd to_stick = to_legendre(rules.stick);
+  SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
+  y.pressure = to_legendre(rules.slip) * found.pressure.tail(n).matrix();
+  return y;
+}
+
 }  // namespace thermoroll

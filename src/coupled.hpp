@@ -101,4 +101,17 @@ struct Profile {
 /// its last grid.
 Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x);
 
+/// What the tractions and the heat are made of, as Legendre coefficients: h and p-hat in y on the
+/// slip zone; p-hat and the bracket of @eq:corrective-inverse on the stick zone, in the x of its
+/// nodes. Dimensionless.
+struct SmoothTractions {
+  double slip, stick;  ///< lengths of both zones
+  Eigen::VectorXd h, pressure, stick_pressure, bracket;
+};
+
+/// Those of a solution of solve_coupled for the same scene and formulation, on a grid of n unknowns
+/// at its border; of a grid other than its own, those of the h solved for on that.
+SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
+                                 const CoupledSolution& x, int n);
+
 }  // namespace thermoroll

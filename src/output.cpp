@@ -95,10 +95,11 @@ void require_finite(const Row<T> (&rows)[n], const T& values) {
                          std::to_string(values.*row.value));
 }
 
-void require_finite(const Solution& x, const std::optional<PhysicalResults>& physical) {
+void require_finite(const Solution& x, const std::optional<FoundInSi>& physical) {
   require_finite(result_rows, x.value);
   if (x.error) require_finite(result_rows, *x.error);
-  if (physical) require_finite(physical_rows, *physical);
+  if (physical) require_finite(physical_rows, physical->value);
+  if (physical && physical->error) require_finite(physical_rows, *physical->error);
 }
 
 const char* name_of(Method method) {
@@ -113,7 +114,7 @@ json object(const Row<T> (&rows)[n], const T& values) {
   return o;
 }
 
-json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) {
+json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   json o;
   const bool printed = x.approach.formulation == Formulation::printed;
   const auto* scheme = std::get_if<PrintedSolution>(&x.found);
@@ -138,7 +139,11 @@ json to_json(const Solution& x, const std::optional<PhysicalResults>& physical) 
   for (const auto& [what, from, to] : x.violations)
     o["violations"].push_back({{"what", what}, {"from", from}, {"to", to}});
   o["error_estimate"] = x.error ? object(result_rows, *x.error) : json();
-  if (physical) o["physical"] = object(physical_rows, *physical);
+  if (physical) {
+    o["physical"] = object(physical_rows, physical->value);
+    o["physical"]["error_estimate"] =
+        physical->error ? object(physical_rows, *physical->error) : json();
+  }
   return o;
 }
 
@@ -168,7 +173,7 @@ std::string remark(const Solution& x) {
          "those of its evaluation, not those of leaving the heat out.\n";
 }
 
-std::string to_text(const Solution& x, const std::optional<PhysicalResults>& physical) {
+std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical) {
   Table table{{"quantity", "symbol", "value", "error", "unit"}};
   const json o = to_json(x, physical);
   const auto plain = [&](const char* name, const char* symbol) {
@@ -188,8 +193,11 @@ std::string to_text(const Solution& x, const std::optional<PhysicalResults>& phy
                      error > 0 ? digits(error, 1) : "", row.unit});
   }
   if (physical)
-    for (const auto& row : physical_rows)
-      table.push_back({row.name, row.symbol, digits(*physical.*row.value, 6), "", row.unit});
+    for (const auto& row : physical_rows) {
+      const double error = physical->error ? *physical->error.*row.value : 0;
+      table.push_back({row.name, row.symbol, digits(physical->value.*row.value, 6),
+                       error > 0 ? digits(error, 1) : "", row.unit});
+    }
   if (x.approach.method == Method::gauss_chebyshev)
     for (const char* name : {"nodes", "outer_iterations", "inner_iterations", "converged"})
       plain(name, "");
@@ -299,18 +307,19 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
-std::vector<Field> csv_fields(const Solution& x, const std::optional<PhysicalResults>& physical) {
+std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical) {
   require_finite(x, physical);
   json o = to_json(x, physical);
   if (!x.error)
     for (const auto& row : result_rows) o["error_estimate"][row.name] = nullptr;
+  if (physical && !physical->error)
+    for (const auto& row : physical_rows) o["physical"]["error_estimate"][row.name] = nullptr;
   std::vector<Field> fields;
   flatten(o, "", fields);
   return fields;
 }
 
-std::string present(const Solution& x, const std::optional<PhysicalResults>& physical,
-                    Format format) {
+std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format) {
   require_finite(x, physical);
   if (format == Format::text) return to_text(x, physical);
   if (format == Format::json) return to_json(x, physical).dump(2) + '\n';

@@ -14,8 +14,7 @@ namespace thermoroll {
 enum class Format { text, json, csv };
 
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
-std::string present(const Solution& x, const std::optional<PhysicalResults>& physical,
-                    Format format);
+std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format);
 
 /// A column's name and a row's cell in it.
 struct Field {
@@ -24,7 +23,7 @@ struct Field {
 
 /// The names and cells of a solution as CSV; the names depend on nothing but whether there are
 /// physical results. Throws NotConverged where a number of it is not finite.
-std::vector<Field> csv_fields(const Solution& x, const std::optional<PhysicalResults>& physical);
+std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical);
 
 /// A text as a cell of CSV: between quotes where it must be.
 std::string quoted(std::string text);

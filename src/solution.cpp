@@ -7,7 +7,7 @@
 
 #include "least_model.hpp"
 #include "numbers.hpp"
-#include "quadrature.hpp"
+#include "operators.hpp"
 #include "surface.hpp"
 #include "temperature.hpp"
 
@@ -123,37 +123,44 @@ Profile carter_profile(const Scene& scene, const Carter& c) {
   return x;
 }
 
-Peaks peaks_of(const Solution&, const Carter& c) {
-  const double h = c.slip_half_width, middle = 3 * h - 2 * c.b;
+Peaks carter_peaks(const Carter& c) {
+  const double h = c.slip_half_width, middle = 3 * h - 2 * c.b, highest = hertz_pressure(0);
   const double root = std::sqrt(middle * middle + 16 * h * c.b);
   const double u = middle > 0 ? (middle + root) / (8 * h) : 2 * c.b / (root - middle);
-  return {hertz_pressure(0), c.friction * hertz_pressure(std::max(c.c0, 0.0)),
+  const double at_border = 2 * std::sqrt(h * c.b) * highest;
+  return {highest, c.friction * (c.c0 > 0 ? at_border : highest),
           carter_flux(c).density(2 * h * u, 2 * h * (1 - u))};
 }
 
-Peaks peaks_of(const Solution& solution, const PrintedSolution& x) {
+Peaks scheme_peaks(const PrintedSolution& x, double friction) {
   Peaks peak{0, 0, 0};
   for (Eigen::Index k = 0; k < x.grid.t.size(); ++k) {
     const double s = x.grid.t(k), pressure = printed_pressure(x, s);
     peak.pressure = std::max(peak.pressure, pressure);
-    peak.traction = std::max(peak.traction, printed_traction(x, solution.scene.friction, s));
+    peak.traction = std::max(peak.traction, printed_traction(x, friction, s));
     peak.heat_flux = std::max(peak.heat_flux, pressure * x.slip(k));
   }
   return peak;
 }
 
-/// y at a point, by the polynomial through the five nodes about it.
-double by_five(const Eigen::ArrayXd& s, const Eigen::ArrayXd& y, double at) {
-  const Eigen::Index above = (s < at).count();
-  const Eigen::Index first = std::clamp<Eigen::Index>(above - 2, 0, s.size() - 5);
-  double sum = 0;
-  for (Eigen::Index i = first; i < first + 5; ++i) {
-    double term = y(i);
-    for (Eigen::Index j = first; j < first + 5; ++j)
-      if (j != i) term *= (at - s(j)) / (s(i) - s(j));
-    sum += term;
-  }
-  return sum;
+/// Pressures on both zones, the traction on the stick zone, the heat flux on the slip zone.
+struct Curves {
+  Eigen::ArrayXd slip_pressure, stick_pressure, stick_traction, heat_flux;
+};
+
+/// The curves at -1 <= x <= 1, the variable of each zone.
+Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
+  const Rule places{x, 0 * x, (1 + x) / 2, {}, {}};
+  const Zones z = zones({by.slip, by.stick}, places, places);
+  const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
+  const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
+  const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
+  Curves y;
+  y.slip_pressure = (slip_right * (2 - slip_right)).sqrt() * (p * by.pressure).array();
+  y.stick_pressure = (left * right).sqrt() * (q * by.stick_pressure).array();
+  y.stick_traction = friction * y.stick_pressure - (left * z.d).sqrt() * (q * by.bracket).array();
+  y.heat_flux = by.slip * (z.t * (1 - z.t)).sqrt() * (p * by.h).array();
+  return y;
 }
 
 /// The largest value of a curve and where it is.
@@ -161,29 +168,49 @@ struct Top {
   double at, value;
 };
 
-/// From the largest y at the nodes s to the top of the curve between its neighbours.
-template <class Function>
-Top top(const Eigen::ArrayXd& s, const Eigen::ArrayXd& y, const Function& curve) {
-  Eigen::Index k = 0;
-  const double highest = y.maxCoeff(&k);
-  if (k == 0 || k == s.size() - 1) return {s(k), highest};
-  const auto depth = [&](double at) { return -curve(at); };
-  const double at = minimum(depth, s(k - 1), s(k), s(k + 1));
-  return {at, curve(at)};
+/// The top of a curve on -1 <= x <= 1 that so many points show, which crowd towards the ends. About
+/// the best of them the search goes on with nine at a time, until they are so near that the top is
+/// flat.
+template <class Curve>
+Top top(Eigen::Index points, const Curve& curve) {
+  Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
+  for (;;) {
+    Eigen::Index best = 0;
+    const double value = curve(x).maxCoeff(&best);
+    const double low = x(std::max<Eigen::Index>(best - 1, 0));
+    const double high = x(std::min(best + 1, x.size() - 1));
+    if (high - low < 1e-8) return {x(best), value};
+    x = Eigen::ArrayXd::LinSpaced(9, low, high);
+  }
 }
 
-Peaks peaks_of(const Solution& solution, const CoupledSolution& x) {
-  const Profile y = profile(solution);
-  const double c0 = x.value(border);
-  const HeatFlux flux = coupled_flux(x);
-  const Eigen::ArrayXd factor = y.pressure / ((1 - y.s) * (1 + y.s)).sqrt();
-  const auto pressure = [&](double s) {
-    return std::sqrt((1 - s) * (1 + s)) * by_five(y.s, factor, s);
+FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
+  const int n = found.unknowns, other = n > 320 ? 2 * n / 3 : 3 * n / 2;
+  const double f = x.scene.friction, half = found.value(slip_length) / 2;
+  const auto on = [&](int grid) {
+    return largest(smooth_tractions(x.scene, x.approach.formulation, found, grid), f);
   };
-  const auto heat_flux = [&](double s) { return s > c0 ? flux.density(s - c0, 1 - s) : 0; };
-  const Top p = top(y.s, y.pressure, pressure);
-  return {p.value, solution.scene.friction * (p.at < c0 ? pressure(c0) : p.value),
-          top(y.s, y.heat_flux, heat_flux).value};
+  const bool closed = x.model == name_of(Model::closed_form);
+  const bool better = other > n && x.model == name_of(Model::coupled);
+  const Carter carter{f, 1 - half, half, found.value(border), found.value(creep)};
+  const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
+  const double e = x.error->heat_integral / x.value.heat_integral;
+  const auto error = [&](double Peaks::*what) {
+    return std::abs(changed.*what - own.*what) + e * own.*what;
+  };
+  const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
+  return {better ? changed : own, errors};
+}
+
+/// Results and peaks, or their errors, in SI units; without the sizes and Hertz's pressure.
+PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit, double speed) {
+  PhysicalResults y{};
+  y.creep_ratio = x.creep * unit.slip / speed;
+  y.max_pressure = peak.pressure * unit.traction;
+  y.max_traction = peak.traction * unit.traction;
+  y.max_heat_flux = peak.heat_flux * unit.heat_flux;
+  y.max_temperature_celsius = x.max_temperature * unit.temperature;
+  return y;
 }
 
 }  // namespace
@@ -213,22 +240,51 @@ Profile profile(const Solution& x) {
       "temperature is infinite");
 }
 
-Peaks peaks(const Solution& x) {
-  return std::visit([&](const auto& found) { return peaks_of(x, found); }, x.found);
+Peaks largest(const SmoothTractions& by, double friction) {
+  const Eigen::Index points = 4 * std::max(by.h.size(), by.bracket.size()) + 1;
+  const auto highest = [&](Eigen::ArrayXd Curves::*what) {
+    return top(points, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
+      return curves_at(x, by, friction).*what;
+    });
+  };
+  const Top p = highest(&Curves::slip_pressure), stick_p = highest(&Curves::stick_pressure);
+  const Top stick_q = highest(&Curves::stick_traction), flux = highest(&Curves::heat_flux);
+  Peaks peak{p.value, friction * p.value, flux.value};
+  if (stick_p.at > -1) peak.pressure = std::max(peak.pressure, stick_p.value);
+  if (stick_q.at > -1) peak.traction = std::max(peak.traction, stick_q.value);
+  return peak;
 }
 
-PhysicalResults in_si_units(const Solution& x, const PhysicalCase& c) {
+FoundPeaks peaks(const Solution& x) {
+  if (const auto* scheme = std::get_if<PrintedSolution>(&x.found))
+    return {scheme_peaks(*scheme, x.scene.friction), std::nullopt};
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) return found_peaks(x, *found);
+  const Peaks exact = carter_peaks(std::get<Carter>(x.found));
+  const double e = 8 * epsilon;
+  return {exact, Peaks{e * exact.pressure, e * exact.traction, e * exact.heat_flux}};
+}
+
+FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius) {
   const Units unit = units_of(c, x.scene.friction);
-  const Peaks peak = peaks(x);
+  const FoundPeaks peak = peaks(x);
   const double hertz = hertz_half_width(x.value.load_ratio * c.load, 1, c.shear_modulus, c.poisson);
-  return {c.half_width,
-          c.half_width * c.half_width / (hertz * hertz),
-          x.value.creep * unit.slip / c.speed,
-          2 / pi * unit.traction,
-          peak.pressure * unit.traction,
-          peak.traction * unit.traction,
-          peak.heat_flux * unit.heat_flux,
-          x.value.max_temperature * unit.temperature};
+  FoundInSi y{converted(x.value, peak.value, unit, c.speed), std::nullopt};
+  y.value.half_width = c.half_width;
+  y.value.radius = c.half_width * c.half_width / (hertz * hertz);
+  y.value.hertz_pressure = 2 / pi * unit.traction;
+  if (!x.error) return y;
+  y.error = converted(*x.error, *peak.error, unit, c.speed);
+  PhysicalResults& error = *y.error;
+  const double of_kappa = x.error->load_ratio / std::abs(x.value.load_ratio);
+  const double of_size = from_radius ? 5e-10 + of_kappa : 0;
+  error.half_width = of_size * y.value.half_width;
+  error.radius = (of_kappa + 2 * of_size) * y.value.radius;
+  for (const auto field :
+       {&PhysicalResults::creep_ratio, &PhysicalResults::hertz_pressure,
+        &PhysicalResults::max_pressure, &PhysicalResults::max_traction,
+        &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius})
+    error.*field += 2 * of_size * y.value.*field;
+  return y;
 }
 
 void require_contact(const Solution& x) {

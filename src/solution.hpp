@@ -67,7 +67,16 @@ struct Peaks {
   double heat_flux;  ///< of v* p*
 };
 
-Peaks peaks(const Solution& x);
+/// Them and their estimated absolute errors, which the scheme does not have.
+struct FoundPeaks {
+  Peaks value;
+  std::optional<Peaks> error;
+};
+
+FoundPeaks peaks(const Solution& x);
+
+/// The peaks of tractions that are known as series.
+Peaks largest(const SmoothTractions& by, double friction);
 
 /// All profiles along the contact. Throws std::invalid_argument for the scheme.
 Profile profile(const Solution& x);
@@ -84,8 +93,15 @@ struct PhysicalResults {
   double max_temperature_celsius;  ///< largest temperature rise, degree C
 };
 
+/// Them and their estimated absolute errors in the same units, which the scheme does not have.
+struct FoundInSi {
+  PhysicalResults value;
+  std::optional<PhysicalResults> error;
+};
+
 /// Results and peaks of a case in SI units; x solves scene_of(c, ...).
-PhysicalResults in_si_units(const Solution& x, const PhysicalCase& c);
+/// The half-width of c is exact, or it is that of half_width_of_radius().
+FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius = false);
 
 /// An iteration did not converge.
 struct NotConverged : std::runtime_error {

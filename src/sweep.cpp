@@ -250,7 +250,7 @@ CaseOptions read_row(const std::vector<std::string>& columns,
 
 SweepTable table_of(const std::string& header) {
   SweepTable t{read_header(header), {}};
-  std::optional<PhysicalResults> physical;
+  std::optional<FoundInSi> physical;
   if (std::any_of(t.columns.begin(), t.columns.end(), is_si_option)) physical.emplace();
   for (const Field& field : csv_fields(Solution{}, physical)) t.fields.push_back(field.name);
   return t;

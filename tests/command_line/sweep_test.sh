@@ -145,6 +145,7 @@ BadHeaders() {
   sweeps 0
   [ "$(wc -l <results.csv)" -eq 1 ] || fail "rows from nothing: $(cat results.csv)"
   refuses 2 "jobs = 0 is not allowed: it must be from 1 to 1024" sweep --jobs 0
+  refuses 2 "jobs = 1025 is not allowed: it must be from 1 to 1024" sweep --jobs 1025
   refuses 2 "jobs = two is not allowed: it must be a whole number" sweep --jobs two
   refuses 2 "unexpected scenes.csv" sweep scenes.csv
 }
@@ -217,6 +218,15 @@ SameBytesWithAnyNumberOfJobs() {
   done
   sweeps 4
   cmp results.csv expected || fail "all processors make a difference"
+}
+
+# While the first row is being solved, far more rows are done than may wait for it.
+RowsKeepTheirOrder() {
+  { echo friction,traction,peclet,heating,method,nodes
+    echo 0.6,0.5,100,0.1,gauss-chebyshev,1000
+    seq 1 3000 | sed 's/.*/0.6,0.7,&,,,/'; } >scenes.csv
+  sweeps 4 --jobs 4
+  cut -d, -f1-3 results.csv | cmp - <(cut -d, -f1-3 scenes.csv) || fail "other rows, or in another order"
 }
 
 # The same program with the sanitizers and little optimisation differs by less than the errors that

@@ -118,6 +118,21 @@ TEST(Surface, PeakAgreesWithAdaptiveQuadrature) {
     }
 }
 
+// The place of the peak against that by the most nodes. Two rules may agree in it by accident,
+// which must not be taken for an error of zero.
+TEST(Surface, PlaceOfThePeakIsWithinItsError) {
+  for (const double traction : {0.006, 0.1, 0.3, 0.5, 0.55, 0.59, 0.5999})
+    for (double peclet = 1e-3; peclet < 2e8; peclet *= 3) {
+      const SmoothFlux flux = smooth_flux(carter(0.6, traction));
+      const Peak fine = hottest_point(flux, peclet, 1e-12);
+      for (const double tolerance : {1e-6, 1e-8}) {
+        const Peak x = hottest_point(flux, peclet, tolerance);
+        EXPECT_NEAR(x.at, fine.at, x.at_error + fine.at_error) << traction << ", Pe = " << peclet;
+        EXPECT_LT(x.at_error, std::sqrt(tolerance) * flux.slip);
+      }
+    }
+}
+
 TEST(Surface, RefusesWhatMakesNoSense) {
   const SmoothFlux flux = smooth_flux(carter(0.6, 0.5));
   const double infinity = std::numeric_limits<double>::infinity();

@@ -438,6 +438,22 @@ TEST(Temperature, MaximumIsTheMaximum) {
   EXPECT_TRUE(close(fast.at, 0.652230L, fast.at_error + 0.5e-6L + 1e-8L));
 }
 
+// The error delta of the maximum hides a distance e of the place over which the parabola falls by
+// 2 delta. At a hundred times that distance it has fallen by 2e4 delta, which the errors of the two
+// values, delta each, change by 1e-4. The curvature by which e was found is a mean over a hundredth
+// of the zone to both sides; it differs from that at the top by a few per cent.
+TEST(Temperature, ErrorOfThePlaceIsThatOfAParabola) {
+  for (const double peclet : {0.3, 50.0, 4360.0})
+    for (const HeatFlux& flux : {rolling(0.1), rolling(0.5), thermoroll::sliding_flux(1)}) {
+      const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
+      const double far = 100 * peak.at_error, top = peak.temperature.value;
+      const double left = temperature(flux, peclet, peak.at - far).value;
+      const double right = temperature(flux, peclet, peak.at + far).value;
+      const double fallen = top - (left + right) / 2;
+      EXPECT_NEAR(fallen / (2e4 * peak.temperature.error), 1, 0.05) << peclet << ' ' << flux.from;
+    }
+}
+
 TEST(Temperature, RefusesWhatMakesNoSense) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
