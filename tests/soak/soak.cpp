@@ -30,7 +30,7 @@ constexpr int seconds_a_scene = 60;  // of processor time, before it counts as a
 soak::Depth depth_of(std::uint64_t number) {
   if (number % 1000 == 0) return soak::Depth::energy;
   if (number % 50 == 0) return soak::Depth::profiles;
-  return number % 5 == 0 ? soak::Depth::again : soak::Depth::results;
+  return number % 2 == 0 ? soak::Depth::again : soak::Depth::results;
 }
 
 std::string written(const soak::Totals& x) {
