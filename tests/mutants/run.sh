@@ -48,15 +48,19 @@ run_tests() {
 }
 export -f run_tests
 
+# The words behind `tests`, as expressions for the names of tests that begin with one of them.
+expressions() { sed 's/\./\\./g; s/^/^/; s/ /|^/g'; }
+
 # Without a mutant every test passes; none is given more than ten times the time of the longest, so
 # that one that hangs comes to an end.
 try_without() {
-  local tests log=$results/0.log
-  for tests in $(cut -f3 "$table" | tr ' ' '\n' | sort -u); do
-    run_tests "$results/0" -N -R "^$tests" >"$log" || { echo "no test is called $tests" >&2; exit 2; }
+  local word log=$results/0.log
+  for word in $(cut -f3 "$table" | tr ' ' '\n' | sort -u); do
+    run_tests "$results/0" -N -R "$(expressions <<<"$word")" >"$log" || { echo "no test is $word" >&2; exit 2; }
   done
-  tests=$(cut -f3 "$table" | tr ' ' '\n' | sed "s/^/^/" | sort -u | paste -sd '|')
-  run_tests "$results/0" -j "$jobs" -R "$tests" --output-on-failure >"$log" || { cat "$log" >&2; exit 2; }
+  run_tests "$results/0" -j "$jobs" --output-on-failure >"$log" \
+    -R "$(cut -f3 "$table" | tr ' ' '\n' | sort -u | paste -sd ' ' | expressions)" ||
+    { sed -n '/^The following tests FAILED/,$p' "$log" >&2; exit 2; }
   limit=$(awk '$NF == "sec" && $(NF - 1) > most { most = $(NF - 1) } END { print int(10 + 10 * most) }' "$log")
 }
 
@@ -65,7 +69,7 @@ try() {
   local number file tests equivalent name word own=$results/$1 killer=
   IFS=$'\t' read -r number file tests equivalent name < <(awk -v number="$1" '$1 == number' "$table")
   for word in $tests; do
-    MUTANT=$number run_tests "$own" -R "^$word" --stop-on-failure --timeout "$limit" >"$own.log" 2>&1 && continue
+    MUTANT=$number run_tests "$own" -R "$(expressions <<<"$word")" --stop-on-failure --timeout "$limit" >"$own.log" 2>&1 && continue
     killer=$(sed -n 's/^\t *[0-9]* - \(.*\) (.*)$/\1/p' "$own.log" | head -1)
     break
   done
@@ -80,7 +84,7 @@ try() {
     echo "$number $file: $name: survives"
   fi
 }
-export -f try
+export -f try expressions
 
 copy_project
 choose
