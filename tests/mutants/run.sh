@@ -39,7 +39,7 @@ run_tests() {
   mkdir -p "$own/build/data"
   ln -sfn "$project/figures" "$own/figures"
   echo "subdirs(\"$folder/build\")" >"$own/CTestTestfile.cmake"
-  for name in $(build/thermoroll figure-data --list); do
+  for name in $data; do
     test="$folder/build/thermoroll figure-data $name --output build/data/$name.csv && \
       $folder/build/tests/figures/figures-test --gtest_filter='*Tolerance/${name//-/_}'"
     echo "add_test(Data.$name bash -c [=[$test]=])" >>"$own/CTestTestfile.cmake"
@@ -56,12 +56,13 @@ expressions() { sed 's/\./\\./g; s/^/^/; s/ /|^/g'; }
 try_without() {
   local word log=$results/0.log
   for word in $(cut -f3 "$table" | tr ' ' '\n' | sort -u); do
-    run_tests "$results/0" -N -R "$(expressions <<<"$word")" >"$log" || { echo "no test is $word" >&2; exit 2; }
+    run_tests "$results/0" -N -R "$(expressions <<<"$word")" 2>&1 | grep -q '^ *Test *#' ||
+      { echo "no test is $word" >&2; exit 2; }
   done
   run_tests "$results/0" -j "$jobs" --output-on-failure >"$log" \
     -R "$(cut -f3 "$table" | tr ' ' '\n' | sort -u | paste -sd ' ' | expressions)" ||
     { sed -n '/^The following tests FAILED/,$p' "$log" >&2; exit 2; }
-  limit=$(awk '$NF == "sec" && $(NF - 1) > most { most = $(NF - 1) } END { print int(10 + 10 * most) }' "$log")
+  limit=$(awk '$NF == "sec" && $(NF - 1) > most { most = $(NF - 1) } END { print int(5 + 10 * most) }' "$log")
 }
 
 # try NUMBER: the tests of a mutant in turn, until one fails.
@@ -69,8 +70,10 @@ try() {
   local number file tests equivalent name word own=$results/$1 killer=
   IFS=$'\t' read -r number file tests equivalent name < <(awk -v number="$1" '$1 == number' "$table")
   for word in $tests; do
-    MUTANT=$number run_tests "$own" -R "$(expressions <<<"$word")" --stop-on-failure --timeout "$limit" >"$own.log" 2>&1 && continue
+    MUTANT=$number run_tests "$own" -R "$(expressions <<<"$word")" --stop-on-failure --timeout "$limit" \
+      >"$own.log" 2>&1 && continue
     killer=$(sed -n 's/^\t *[0-9]* - \(.*\) (.*)$/\1/p' "$own.log" | head -1)
+    killer=${killer:-$word}
     break
   done
   rm -rf "$own"
@@ -88,8 +91,11 @@ export -f try expressions
 
 copy_project
 choose
-cmake -S "$project" -B "$folder/build" -DTHERMOROLL_TESTS=ON -DCMAKE_CXX_FLAGS=-w >"$folder/build.log" &&
-  cmake --build "$folder/build" --target unit-tests figures-test thermoroll-cli >>"$folder/build.log" 2>&1 || { tail -40 "$folder/build.log" >&2; exit 2; }
+cmake -S "$project" -B "$folder/build" -DTHERMOROLL_TESTS=ON -DCMAKE_CXX_FLAGS=-w >"$folder/build.log" 2>&1 &&
+  cmake --build "$folder/build" --target unit-tests figures-test thermoroll-cli \
+    >>"$folder/build.log" 2>&1 || { tail -40 "$folder/build.log" >&2; exit 2; }
+data=$("$folder/build/thermoroll" figure-data --list)
+export data
 try_without
 cut -f1 "$table" | xargs -P "$jobs" -I{} bash -c 'try {}'
 awk '
