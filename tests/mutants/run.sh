@@ -34,15 +34,16 @@ choose() {
 # run_tests FOLDER OPTION...: CTest with a folder of its own, as several run at a time. Data.NAME
 # computes the data NAME there and sets them against the golden ones.
 run_tests() {
-  local own=$1 name test
+  local own=$1 name file test
   shift
   mkdir -p "$own/build/data"
   ln -sfn "$project/figures" "$own/figures"
   echo "subdirs(\"$folder/build\")" >"$own/CTestTestfile.cmake"
   for name in $data; do
-    test="$folder/build/thermoroll figure-data $name --output build/data/$name.csv && \
-      $folder/build/tests/figures/figures-test --gtest_filter='*Tolerance/${name//-/_}'"
-    echo "add_test(Data.$name bash -c [=[$test]=])" >>"$own/CTestTestfile.cmake"
+    file=build/data/$name.csv test="*Tolerance/${name//-/_}"
+    [ "$name" != values ] || file=build/data/values.json test=Values.AreWithinTheirTolerance
+    echo "add_test(Data.$name bash -c [=[$folder/build/thermoroll figure-data $name --output $file && \
+      $folder/build/tests/figures/figures-test --gtest_filter='$test']=])" >>"$own/CTestTestfile.cmake"
   done
   ctest --test-dir "$own" --no-tests=error -E SameWithSanitizers "$@"
 }
@@ -91,7 +92,8 @@ export -f try expressions
 
 copy_project
 choose
-cmake -S "$project" -B "$folder/build" -DTHERMOROLL_TESTS=ON -DCMAKE_CXX_FLAGS=-w >"$folder/build.log" 2>&1 &&
+cmake -S "$project" -B "$folder/build" -DTHERMOROLL_TESTS=ON -DTHERMOROLL_ROOT=. \
+  -DCMAKE_CXX_FLAGS=-w >"$folder/build.log" 2>&1 &&
   cmake --build "$folder/build" --target unit-tests figures-test thermoroll-cli \
     >>"$folder/build.log" 2>&1 || { tail -40 "$folder/build.log" >&2; exit 2; }
 data=$("$folder/build/thermoroll" figure-data --list)
