@@ -30,6 +30,7 @@ packages_for_tsan := $(build_packages)
 packages_for_valgrind := $(build_packages) valgrind
 packages_for_sweep-bench := $(build_packages)
 packages_for_soak := $(build_packages)
+packages_for_mutants := $(test_packages)
 packages_for_fuzz := $(build_packages) clang libclang-rt-dev
 packages_for_coverage := $(build_packages) libgtest-dev
 packages_for_bench := $(data_packages)
@@ -152,7 +153,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan tsan valgrind soak fuzz sweep-bench install clean help
+.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -250,9 +251,9 @@ build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css p
 
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
 # compiled and one after the other. What needs data needs the benchmarks.
-no_data := all install debug asan tsan valgrind soak fuzz sweep-bench coverage clean help
+no_data := all install debug asan tsan valgrind soak mutants fuzz sweep-bench coverage clean help
 with_test := $(if $(filter test,$(MAKECMDGOALS)),build/release/with-test)
-with_bench := $(if $(filter-out all install valgrind soak sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
+with_bench := $(if $(filter-out all install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
 with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)
 build/built: | $(with_test) $(with_bench) $(with_soak)
 build/release/with-bench: | $(with_test)
@@ -318,6 +319,10 @@ soak: build/thermoroll
 	@$(compile) build/release --target soak
 	@build/release/tests/soak/soak $(SOAK_SCENES) $$((60 * $(or $(MINUTES),0))) $(SOAK_SEED) \
 	  $(ESTIMATES) >build/soak.log; status=$$?; sed -n '1p; /compared with/p; /^FAILED/p' build/soak.log; exit $$status
+
+## mutants: which mutations of the sources no test notices; ONLY=sweep.cpp or ONLY=20-29 tries some
+mutants: build/tangle.stamp
+	@$(apart) bash tests/mutants/run.sh $(ONLY)
 
 fuzz_targets := arguments file table scene
 ## fuzz: look for inputs that break a way in, each for its share of MINUTES (4; needs clang)

@@ -75,7 +75,8 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   const Border before = border_of(cold);
   const double narrow = std::max(0.0, std::log10(before.stick / before.slip) - 2);
   const double fast = std::max(0.0, std::log10(before.slip * scene.peclet) - 6);
-  const Rules rules(least + static_cast<int>(3 * narrow + 5 * fast));
+  const double extreme = std::max(0.0, narrow - 3);
+  const Rules rules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
   const Zones z = zones(before, rules.slip, rules.stick);
   const VectorXd h0 = carter_h(z.border, f);
   const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), rules.ray);
@@ -121,7 +122,7 @@ CoupledSolution rung(const VectorXd& h, const Values& value, const Carter& c, co
   const Values scale = scale_of(x.value);
   const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
   x.error = all * scale, x.error(hottest_at) = at.slip * std::sqrt(all);
-  x.value(given.quantity) = given.value, x.error(given.quantity) = 0;
+  x.value(given.quantity) = given.value;
   return x;
 }
 

@@ -51,7 +51,6 @@ void iterate(Problem& problem, PrintedSolution& x, const PrintedOptions& options
     const double change = (v - x.slip).lpNorm<Eigen::Infinity>();
     x.slip = v;
     x.converged = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
-    if (!v.allFinite()) break;
   }
   x.creep = x.creep_constant - problem.scene.friction * x.gamma0;
 }

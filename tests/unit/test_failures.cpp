@@ -81,6 +81,15 @@ TEST(Arithmetic, PrintedFormulasOverflow) {
   }
 }
 
+// A value that is right to the last bit has lost none of its digits, one that is twice as large
+// all.
+TEST(Arithmetic, DigitsAreLostFromNoneToAll) {
+  EXPECT_EQ(thermoroll::digits_lost(0.1, 0.1), 0);
+  EXPECT_EQ(thermoroll::digits_lost(std::nextafter(0.1, 0), 0.1), 0);
+  EXPECT_EQ(thermoroll::digits_lost(0.2, 0.1), -std::log10(epsilon));
+  EXPECT_NEAR(thermoroll::digits_lost(0.1 * (1 + 1e-6), 0.1), -6 - std::log10(epsilon), 1e-6);
+}
+
 // @eq:digits-lost: 2 zeta eps, eps / (|zeta| ln(2/|zeta|)) and sqrt(pi |zeta| / 2) eps; ours keep
 // 1e-13 at the same arguments.
 TEST(Arithmetic, PrintedFormulasLoseDigitsByTheirLaws) {

@@ -524,26 +524,37 @@ TEST(PrintedScheme, SaysWhenItDoesNotConverge) {
   // The border alone bounded: one inner step a time still settles in the end, but not in three.
   options.max_inner = 1;
   EXPECT_FALSE(thermoroll::solve_printed(scene, Formulation::printed, options).converged);
+}
 
-  // Whenever it says that it converged, the traction is the one asked for, to the tolerance; with
-  // one step of the border at a time and a loose tolerance the slip may well settle first.
-  int settled = 0;
-  for (const double tolerance : {3e-2, 1e-2, 3e-3, 1e-3, 1e-4})
-    for (const double traction : {0.05, 0.2, 0.5})
-      for (const double heating : {0.0175, 0.2, 0.5}) {
-        PrintedOptions loose;
-        loose.nodes = 20;
-        loose.tolerance = tolerance;
-        loose.max_inner = 1;
-        const PrintedSolution x = thermoroll::solve_printed({friction, traction, 100, heating},
-                                                            Formulation::printed, loose);
-        if (!x.converged) continue;
-        ++settled;
-        const double shear = (1 + x.c0) / 2 * x.grid.w.dot(x.phi0);
-        EXPECT_TRUE(close(shear, traction - friction, tolerance * traction * (1 + 1e-9)))
-            << "Q* = " << traction << ", H = " << heating << ", tolerance " << tolerance;
-      }
+// Whenever it says that it converged, the traction is the one asked for, to the tolerance: with one
+// step of the border at a time the slip may well settle first, and so it may where strong heat lets
+// no border be found. That never leaves the contact without a border either: a step that leaves the
+// stick zone no traction is followed by others.
+TEST(PrintedScheme, ConvergesToTheTractionOrNotAtAll) {
+  int settled = 0, without_traction = 0;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6})
+    for (const double traction : {0.005, 0.05, 0.3, 0.5})
+      for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
+        for (const double heating : {1e-3, 0.2, 6.0, 30.0})
+          for (const int steps : {1, 50}) {
+            PrintedOptions options;
+            options.nodes = 20;
+            options.tolerance = tolerance;
+            options.max_inner = steps;
+            const PrintedSolution x = thermoroll::solve_printed({friction, traction, 4000, heating},
+                                                                formulation, options);
+            SCOPED_TRACE(::testing::Message() << "Q* = " << traction << ", H = " << heating
+                                              << ", tolerance " << tolerance << ", " << steps);
+            EXPECT_TRUE(-1 < x.c0 && x.c0 <= 1) << x.c0;
+            for (const thermoroll::InnerStep& step : x.steps)
+              without_traction += step.traction >= friction ? 1 : 0;
+            if (!x.converged) continue;
+            ++settled;
+            const double shear = (1 + x.c0) / 2 * x.grid.w.dot(x.phi0);
+            EXPECT_TRUE(close(shear, traction - friction, tolerance * traction * (1 + 1e-9)));
+          }
   EXPECT_GT(settled, 0) << "else nothing was seen";
+  EXPECT_GT(without_traction, 0) << "nor of this";
 }
 
 TEST(PrintedScheme, RefusesWhatMakesNoSense) {

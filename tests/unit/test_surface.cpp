@@ -10,6 +10,7 @@
 
 #include "carter.hpp"
 #include "coupled.hpp"
+#include "operators.hpp"
 #include "surface.hpp"
 #include "temperature.hpp"
 
@@ -131,6 +132,40 @@ TEST(Surface, PlaceOfThePeakIsWithinItsError) {
         EXPECT_LT(x.at_error, std::sqrt(tolerance) * flux.slip);
       }
     }
+}
+
+// In lengths of the slip zone nothing depends on how short it is: T* per square of its length is
+// the same for the same h, the same speed of the zone and the same share of it. Of a short zone the
+// share is known from s, as 1 - s is exact, and s of a long one follows from the share to an
+// epsilon. What that changes is at most a thousand times as much, by the layer and by the distance
+// of the left end.
+TEST(Surface, ShortSlipZonesAreAsLongOnes) {
+  const Eigen::VectorXd h = thermoroll::carter_h({1, 1}, 0.6);
+  const thermoroll::Rule& rays = thermoroll::gauss_legendre(80);
+  const auto temperature_at = [&](double slip, double lambda, double s) {
+    const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, s);
+    return thermoroll::surface_temperature({slip, 2 - slip}, lambda / slip, h, at, rays)(0) /
+           (slip * slip);
+  };
+  for (const double lambda : {0.1, 10.0, 1000.0})
+    for (const double share : {0.01, 0.3, 0.7, 0.99}) {
+      const double s = 1 - share * 1e-9, exact_share = (1 - s) / 1e-9;
+      EXPECT_NEAR(
+          temperature_at(1e-9, lambda, s) / temperature_at(0.3, lambda, 1 - exact_share * 0.3), 1,
+          1e-12)
+          << "lambda = " << lambda << ", share " << share;
+    }
+}
+
+// What is subtracted at one end of the slip zone is subtracted at the other, mirrored: the distance
+// of two points has all its digits next to both.
+TEST(Surface, DistancesHaveTheirDigitsAtBothEnds) {
+  for (double near = 0.5; near > 1e-15; near /= 8) {
+    const thermoroll::Place a(near, 2 - near), b(2 * near, 2 - 2 * near);
+    const thermoroll::Place c(2 - near, near), d(2 - 2 * near, 2 * near);
+    const double left = apart(a, b, near), right = apart(d, c, near);
+    EXPECT_NEAR(right / left, 1, 16 * std::numeric_limits<double>::epsilon()) << near;
+  }
 }
 
 TEST(Surface, RefusesWhatMakesNoSense) {

@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# run.sh [FILE | NUMBER | FIRST-LAST]: how many of the mutants of tests/mutants/list the tests kill, in
+# the project's folder. All of them are compiled into one program, and MUTANT chooses one. Prints those
+# that survive; status 1 where less than 95 % of those not marked equivalent are killed.
+set -eu
+only=${1:-}
+jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+export folder=$PWD/build/mutants
+export project=$folder/project table=$folder/table results=$folder/results limit=0
+unset MUTANT
+
+# A copy of the project in which src/ has the mutants; what did not change is not compiled again.
+copy_project() {
+  local name
+  rm -rf "$folder/new" "$results"
+  mkdir -p "$folder/new" "$project/src" "$results"
+  for name in *; do
+    [ "$name" = src ] || [ "$name" = build ] || ln -sfn "$PWD/$name" "$project/$name"
+  done
+  cp src/* "$folder/new"
+  perl tests/mutants/inject.pl tests/mutants/list src "$folder/new" >"$folder/all"
+  for name in "$folder"/new/*; do
+    cmp -s "$name" "$project/src/${name##*/}" || cp "$name" "$project/src"
+  done
+}
+
+choose() {
+  awk -F '\t' -v only="$only" '
+    BEGIN { numbers = split(only, at, "-"); ranged = only ~ /^[0-9]+(-[0-9]+)?$/ }
+    only == "" || $2 == only || (ranged && at[1] <= $1 + 0 && $1 + 0 <= at[numbers])' "$folder/all" >"$table"
+  [ -s "$table" ] || { echo "no mutant is of '$only'" >&2; exit 2; }
+}
+
+# run_tests FOLDER OPTION...: CTest with a folder of its own, as several run at a time. Data.NAME
+# computes the data NAME there and sets them against the golden ones.
+run_tests() {
+  local own=$1 name file test
+  shift
+  mkdir -p "$own/build/data"
+  ln -sfn "$project/figures" "$own/figures"
+  echo "subdirs(\"$folder/build\")" >"$own/CTestTestfile.cmake"
+  for name in $data; do
+    file=build/data/$name.csv test="*Tolerance/${name//-/_}"
+    [ "$name" != values ] || file=build/data/values.json test=Values.AreWithinTheirTolerance
+    echo "add_test(Data.$name bash -c [=[$folder/build/thermoroll figure-data $name --output $file && \
+      $folder/build/tests/figures/figures-test --gtest_filter='$test']=])" >>"$own/CTestTestfile.cmake"
+  done
+  ctest --test-dir "$own" --no-tests=error -E SameWithSanitizers "$@"
+}
+export -f run_tests
+
+# The words behind `tests`, as expressions for the names of tests that begin with one of them.
+expressions() { sed 's/\./\\./g; s/^/^/; s/ /|^/g'; }
+
+# Without a mutant every test passes; none is given more than ten times the time of the longest, so
+# that one that hangs comes to an end.
+try_without() {
+  local word log=$results/0.log
+  for word in $(cut -f3 "$table" | tr ' ' '\n' | sort -u); do
+    run_tests "$results/0" -N -R "$(expressions <<<"$word")" 2>&1 | grep -q '^ *Test *#' ||
+      { echo "no test is $word" >&2; exit 2; }
+  done
+  run_tests "$results/0" -j "$jobs" --output-on-failure >"$log" \
+    -R "$(cut -f3 "$table" | tr ' ' '\n' | sort -u | paste -sd ' ' | expressions)" ||
+    { sed -n '/^The following tests FAILED/,$p' "$log" >&2; exit 2; }
+  limit=$(awk '$NF == "sec" && $(NF - 1) > most { most = $(NF - 1) } END { print int(5 + 10 * most) }' "$log")
+}
+
+# try NUMBER: the tests of a mutant in turn, until one fails.
+try() {
+  local number file tests equivalent name word own=$results/$1 killer=
+  IFS=$'\t' read -r number file tests equivalent name < <(awk -v number="$1" '$1 == number' "$table")
+  for word in $tests; do
+    MUTANT=$number run_tests "$own" -R "$(expressions <<<"$word")" --stop-on-failure --timeout "$limit" \
+      >"$own.log" 2>&1 && continue
+    killer=$(sed -n 's/^\t *[0-9]* - \(.*\) (.*)$/\1/p' "$own.log" | head -1)
+    killer=${killer:-$word}
+    break
+  done
+  rm -rf "$own"
+  if [ "$equivalent" != - ]; then
+    echo "equivalent $killer" >"$own.result"
+    [ -z "$killer" ] || echo "$number $file: $name: is marked equivalent, but $killer fails"
+  elif [ -n "$killer" ]; then
+    echo "killed $killer" >"$own.result"
+  else
+    echo survived >"$own.result"
+    echo "$number $file: $name: survives"
+  fi
+}
+export -f try expressions
+
+copy_project
+choose
+cmake -S "$project" -B "$folder/build" -DTHERMOROLL_TESTS=ON -DTHERMOROLL_ROOT=. \
+  -DCMAKE_CXX_FLAGS=-w >"$folder/build.log" 2>&1 &&
+  cmake --build "$folder/build" --target unit-tests figures-test thermoroll-cli \
+    >>"$folder/build.log" 2>&1 || { tail -40 "$folder/build.log" >&2; exit 2; }
+data=$("$folder/build/thermoroll" figure-data --list)
+export data
+try_without
+cut -f1 "$table" | xargs -P "$jobs" -I{} bash -c 'try {}'
+awk '
+  { ++count[$1]; wrong += $1 == "equivalent" && NF > 1 }
+  END {
+    share = count["killed"] + count["survived"] ? 100 * count["killed"] / (count["killed"] + count["survived"]) : 100
+    printf "%d mutants: %d killed, %d survived, %d marked equivalent; %.1f %% killed of those not equivalent\n",
+      NR, count["killed"], count["survived"], count["equivalent"], share
+    exit wrong > 0 || share < 95
+  }' "$results"/*.result
