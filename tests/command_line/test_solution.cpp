@@ -313,6 +313,45 @@ TEST(Solution, PeaksMayBeAnywhere) {
   }
 }
 
+// Fast scenes in which the error of the heat is too small for a peak, against a tighter solution.
+// The error counts the change between two grids, and so it is no less than that.
+TEST(Solution, PeakErrorsCountTheChangeOfTheGrid) {
+  for (const Scene& scene :
+       {Scene{1.01, 0.4226, 7.84e5, 3.298e-5}, Scene{0.696, 0.2467, 6.107e7, 1.168e-3},
+        Scene{1.33, 0.4569, 8.209e5, 4.077e-4}, Scene{1.38, 0.5873, 3.135e7, 1.509e-6}}) {
+    const Solution x = solve(scene, {Method::coupled});
+    const auto& found = std::get<CoupledSolution>(x.found);
+    const auto on = [&](int n) {
+      return largest(smooth_tractions(scene, Formulation::corrected, found, n), scene.friction);
+    };
+    const Peaks own = on(found.unknowns), finer = on(3 * found.unknowns / 2);
+    const FoundPeaks peak = peaks(x);
+    const FoundPeaks fine =
+        peaks(solve(scene, {Method::coupled, Formulation::corrected, 200, 1e-9}));
+    for (const auto which : all_peaks) {
+      EXPECT_GE(*peak.error.*which, std::abs(finer.*which - own.*which)) << scene.peclet;
+      EXPECT_NEAR(peak.value.*which, fine.value.*which, *peak.error.*which + *fine.error.*which);
+    }
+  }
+}
+
+// On a grid other than its own a solution does not hand down its h, but that of the equations: a
+// loose solution and a tight one at the same border have the same. Newton's method stops at 1e-10.
+TEST(Solution, AnotherGridHasItsOwnFlux) {
+  for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
+    const Scene scene{0.6, 0.3, 300, 1};
+    const auto on_other = [&](double tolerance) {
+      const Solution x =
+          solve(scene, {Method::coupled, formulation, 200, tolerance}, {border, 0.2});
+      return smooth_tractions(scene, formulation, std::get<CoupledSolution>(x.found), 50);
+    };
+    const SmoothTractions loose = on_other(1e-2), tight = on_other(1e-8);
+    EXPECT_LT((loose.h - tight.h).norm(), 1e-9 * tight.h.norm());
+    EXPECT_LT((loose.pressure - tight.pressure).norm(), 1e-9 * tight.pressure.norm());
+    EXPECT_LT((loose.bracket - tight.bracket).norm(), 1e-9 * tight.bracket.norm());
+  }
+}
+
 // Of many tops the highest is found, in series whose coefficients decrease as a solution's do.
 // Samples that are 1e-4 apart miss it by 1e-8/2 times the curvature, which for a Legendre series
 // of degree 24 is below its degree to the fourth power.
