@@ -216,7 +216,7 @@ revision = $(shell git describe --always --dirty 2>/dev/null)
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@pandoc $(chapters) -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings \
+	@pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml --fail-if-warnings \
 	  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib \
 	  --template paper/template.html $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@

@@ -4,6 +4,40 @@
 -- stretch are set as wide as the widest of their forms. dofile() gives one function: the TeX of a
 -- formula and "InlineMath" or "DisplayMath" to HTML, or nil for a formula that Pandoc cannot read.
 
+-- The versions of Pandoc write the same formula in different ways; what is mended is the way of 2.17,
+-- and first all others are brought to it.
+
+local signs = { ["+"] = true, ["−"] = true, ["±"] = true, ["∓"] = true }
+
+--- Bars that all open, as later versions have them, open and close by turns; a single one stays.
+local function pair_bars(html)
+  local opening, closing = '<mo stretchy="false" form="prefix">|', '<mo stretchy="false" form="postfix">|'
+  local count = select(2, html:gsub(opening, ""))
+  if count % 2 == 1 or html:find(closing, 1, true) then return html end
+  local bars = 0
+  return (html:gsub(opening, function()
+    bars = bars + 1
+    return bars % 2 == 0 and closing or nil
+  end))
+end
+
+--- Later versions write signs and names of functions as <mi>, these with an invisible operator
+--- behind, upright letters each by itself, and sizes in per cent.
+local function in_one_way(html)
+  local count
+  html = html:gsub("<mi>([^<]*)</mi>", function(text) return signs[text] and "<mo>" .. text .. "</mo>" end)
+    :gsub("&#8289;", "\u{2061}")
+    :gsub("<mrow><mi[^>]*>(%a%a+)</mi><mo>\u{2061}</mo></mrow>", "<mo>%1</mo>")
+    :gsub("<mi[^>]*>(%a%a+)</mi><mo>\u{2061}</mo>", "<mo>%1</mo>")
+    :gsub('minsize="(%d+)%%" maxsize="%d+%%" stretchy="true"', function(percent)
+      return string.format('minsize="%g" maxsize="%g" stretchy="false"', percent / 100, percent / 100)
+    end)
+  repeat
+    html, count = html:gsub('(<mi mathvariant="normal">%a+)</mi><mi mathvariant="normal">(%a)', "%1%2")
+  until count == 0
+  return pair_bars(html)
+end
+
 local stretching = '()<mo stretchy="true" form="(%l+)">()'
 
 --- Whether something between brackets is taller than a line.
@@ -40,9 +74,9 @@ end
 
 --- A function's name keeps a thin distance, but none from a bracket that follows it.
 local function space_names(html)
-  return (html:gsub("<mo>(%a%a+)</mo>(<?m?r?o?w?>?<?m?o?)", function(name, follows)
-    local right = follows == "<mrow><mo" and "0" or "0.167em"
-    return string.format('<mo lspace="0.167em" rspace="%s">%s</mo>%s', right, name, follows)
+  return (html:gsub("<mo>(%a%a+)</mo>()", function(name, behind)
+    local bracket = html:find("^<mrow><mo", behind) or html:find('^<mo stretchy="%l+" form="prefix">', behind)
+    return string.format('<mo lspace="0.167em" rspace="%s">%s</mo>', bracket and "0" or "0.167em", name)
   end))
 end
 
@@ -76,7 +110,7 @@ return function(tex, kind)
   local html = pandoc.write(pandoc.Pandoc({ pandoc.Plain({ pandoc.Math(kind, tex) }) }), "html5",
                             { html_math_method = "mathml", wrap_text = "none" })
   if not html:match("^<math") then return nil end
-  html = mark_signs(size_brackets(space_names(join_words(html))))
+  html = mark_signs(size_brackets(space_names(join_words(in_one_way(html)))))
     :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
   return settle_brackets(html)

@@ -1,6 +1,6 @@
 -- The weaver: turns the chapters into one HTML page, a Pandoc filter. Run in the project's folder:
 --
---   pandoc paper/*.md -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings
+--   pandoc paper/*.md -f markdown-implicit_figures -t html5 --wrap=none --mathml --fail-if-warnings
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
@@ -381,12 +381,16 @@ local function framed_table(content, id, text, class)
   return blocks
 end
 
---- A table of the chapter; `{#tbl:id}` ends its caption.
+--- A table of the chapter; `{#tbl:id}` ends its caption. Pandoc reads it as a word of the caption, and
+--- from 3.8.2 on as the table's identifier.
 local function written_table(content)
-  local text = utils.blocks_to_inlines(content.caption.long)
-  local last = text[#text]
-  local id = last and last.t == "Str" and last.text:match("^{#(tbl:[%w:_.-]+)}$") or nil
-  if id then text:remove() end
+  local text, id = utils.blocks_to_inlines(content.caption.long), content.identifier
+  if id == "" then
+    local last = text[#text]
+    id = last and last.t == "Str" and last.text:match("^{#(tbl:[%w:_.-]+)}$") or nil
+    if id then text:remove() end
+  end
+  content.identifier = ""
   content.caption = { long = {} }
   return framed_table(content, id, trimmed(text))
 end
@@ -692,6 +696,27 @@ local function colophon(meta)
   return pandoc.Para({ pandoc.Str(text) })
 end
 
+--- Chapters and their sections as a list of links. (The contents that Pandoc makes have ids, which
+--- would stand twice in a page that has them twice.)
+local function contents(blocks)
+  local list = pandoc.List()
+  for _, block in ipairs(blocks) do
+    if block.t == "Header" and block.level <= 3 then
+      local entry = { pandoc.Plain({ pandoc.Link(block.content, "#" .. block.identifier) }) }
+      if block.level == 2 or #list == 0 then
+        list:insert({ entry, sections = {} })
+      else
+        table.insert(list[#list].sections, entry)
+      end
+    end
+  end
+  return pandoc.BulletList(list:map(function(chapter)
+    local entry = chapter[1]
+    if #chapter.sections > 0 then table.insert(entry, pandoc.BulletList(chapter.sections)) end
+    return entry
+  end))
+end
+
 local function add_back_matter(document)
   local blocks = document.blocks
   place_bibliography(blocks)
@@ -726,5 +751,6 @@ function Pandoc(document)
   add_back_matter(document)
   stop_on_mistakes()
   document.meta.style = raw(style)
+  document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
   return document
 end

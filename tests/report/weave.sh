@@ -5,7 +5,7 @@ paper="$PWD/paper"
 weave() {
   local output=$1
   shift
-  pandoc "$@" -f markdown -t html5 --wrap=none --mathml --toc --fail-if-warnings \
+  pandoc "$@" -f markdown-implicit_figures -t html5 --wrap=none --mathml --fail-if-warnings \
     --lua-filter "$paper/weave.lua" --citeproc --bibliography "$paper/references.bib" \
     --template "$paper/template.html" -o "$output"
 }
