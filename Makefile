@@ -94,6 +94,30 @@ $(error $(foreach package,$(missing),$(command_of_$(package))) not found: \
   run 'make setup $(or $(MAKECMDGOALS),all)' or 'apt-get install $(missing)')
 endif
 
+# --- One make at a time in a folder -----------------------------------------------------------------
+
+goals := $(or $(MAKECMDGOALS),all)
+dry_run := $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
+lock := $(if $(dry_run),,$(if $(filter-out help,$(goals)),$(shell command -v flock 2>/dev/null)))
+ifneq ($(lock),)
+ifneq ($(value THERMOROLL_LOCKED),$(CURDIR))
+waits := yes
+endif
+endif
+
+ifdef waits
+.PHONY: locked $(goals)
+$(goals): locked ; @:
+
+# The lock is on the folder itself, so that there is no file to make and remove, and it goes with the
+# last process of this make.
+locked: export THERMOROLL_LOCKED := $(CURDIR)
+locked:
+	+@exec 9<.; flock --nonblock --conflict-exit-code 75 9; [ $$? -ne 75 ] || { \
+	  echo "Waiting for another make in this folder" >&2; flock 9; }; \
+	$(MAKE) --no-print-directory $(goals)
+
+else
 # --- What there is to make ------------------------------------------------------------------------
 
 chapters := $(wildcard paper/*.md)
@@ -116,8 +140,9 @@ step = @printf '[%2d/%d %4d s] %s\n' $(words $(call up_to,$@,$(steps))) $(words 
   $$(($$(date +%s) - $(THERMOROLL_STARTED))) '$1'
 
 # This make, CMake and CTest, each apart from the others' job slots, take every processor unless told.
+# (Below another make, -j is found in the environment only.)
 processors := $(shell nproc 2>/dev/null || echo 2)
-ifeq ($(filter -j% --job%,$(MAKEFLAGS)),)
+ifeq ($(filter -j% --job%,$(MAKEFLAGS) $(shell echo "$$MAKEFLAGS")),)
 MAKEFLAGS += -j$(processors)
 endif
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(processors)
@@ -235,11 +260,13 @@ build/release/with-soak: | $(with_test) $(with_bench)
 bench: | $(filter test,$(MAKECMDGOALS))
 soak: | $(filter test bench,$(MAKECMDGOALS))
 
+# A program that is compiled for the tests is compiled with -Werror, unless that would be twice.
+build/release/with-test: strict := $(if $(wildcard build/built),,-DTHERMOROLL_WERROR=ON)
 build/release/with-test: option := THERMOROLL_TESTS
 build/release/with-bench: option := THERMOROLL_BENCH
 build/release/with-soak: option := THERMOROLL_SOAK
 build/release/with-%: | build/release/Makefile
-	@$(apart) cmake -D$(option)=ON build/release >build/release.log || { cat build/release.log; exit 1; }
+	@$(apart) cmake -D$(option)=ON $(strict) build/release >build/release.log || { cat build/release.log; exit 1; }
 	@touch $@
 
 ## test: every test, through CTest
@@ -344,4 +371,5 @@ clean:
 help:
 	@sed -n 's/^## \([a-z-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
 
+endif
 endif

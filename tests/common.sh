@@ -2,6 +2,7 @@
 # Read by the shell tests: a scratch folder with a space in its name, removed at the end, and `fail`.
 # Not pipefail: a reader that has seen enough, as `head` or `grep -q`, would fail its writer.
 set -eu
+export LC_ALL=C.UTF-8 # whatever letters and decimals the caller's locale has
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 work="$scratch/a folder"

@@ -122,6 +122,46 @@ TwoJobsDrawTheSameFigures() { # in the copy
   mv "$work/one-job" build/figures # older than the report
 }
 
+# Two runs at once in one folder: the second says that it waits, and both end with all figures. The
+# first draws until the second waits.
+TwoRunsTakeTurns() { # in the copy
+  in_copy figures
+  local status=0 first
+  ls build/figures >"$work/all"
+  fake gnuplot <<END
+until grep -q Waiting '$work/second' 2>/dev/null; do
+  if [ -e '$work/ended' ] || [ ! -e '$work/log' ]; then exit 1; fi
+  touch '$work/drawing'
+  sleep 0.1
+done
+exec $(command -v gnuplot) "\$@"
+END
+  touch figures/slip.gp figures/creep.gp
+  with_fakes make figures >"$work/first" 2>&1 &
+  first=$!
+  until [ -e "$work/drawing" ]; do kill -0 $first || fail "$(cat "$work/first")"; sleep 0.1; done
+  make figures >"$work/second" 2>&1 &
+  wait $! || fail "$(cat "$work/second")"
+  touch "$work/ended"
+  wait $first || status=$?
+  [ $status -eq 0 ] || fail "$(cat "$work/first")"
+  expect_steps "$work/first" 'drawing build/figures/creep.svg' 'drawing build/figures/slip.svg'
+  [ -z "$(steps "$work/second")" ] || fail "both draw: $(cat "$work/second")"
+  [ "$(grep -c 'Waiting for another make in this folder' "$work/second")" = 1 ] || fail "$(cat "$work/second")"
+  ls build/figures | diff "$work/all" - || fail "figures are missing"
+}
+
+# Where there is no flock, nothing waits and nothing is said.
+WorksWithoutFlock() {
+  hide flock
+  mkdir "$work/project"
+  cp -r Makefile paper src figures "$work/project"
+  cd "$work/project"
+  PATH="$work/bin" make build/tangle.stamp >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'tangling the chapters'
+  [ "$(wc -l <"$work/log")" = 1 ] || fail "said: $(cat "$work/log")"
+}
+
 # Without gnuplot: nothing is begun, and the package and the command that installs it are named.
 MissingCommand() {
   hide gnuplot
@@ -278,12 +318,32 @@ InstalledPackage() { # in the copy
   ! cmake -S "$user" -B "$user/build" >/dev/null 2>&1 || fail "another version was taken for this one"
 }
 
-# Our builds stop at a warning; a plain one, by whatever compiler, goes on.
-WarningsAreErrorsInThePresets() {
-  grep -q -- '-Werror' build/release/compile_commands.json || fail "warnings are no errors"
+# The builds that look for mistakes stop at a warning, and so does the program that is compiled for the
+# tests; what a user builds goes on, by whatever compiler.
+WarningsAreErrorsInTheTests() {
+  strict() { grep -q -- '-Werror' "$work/build/compile_commands.json"; }
   cmake -B "$work/build" >/dev/null
   grep -q -- '-Wconversion' "$work/build/compile_commands.json" || fail "a plain build does not warn"
-  ! grep -q -- '-Werror' "$work/build/compile_commands.json" || fail "a plain build stops at warnings"
+  ! strict || fail "a plain build stops at warnings"
+  cmake --preset release -B "$work/build" >/dev/null
+  ! strict || fail "the program stops at warnings"
+  local preset
+  for preset in debug asan-ubsan tsan coverage; do
+    rm -r "$work/build"
+    cmake --preset $preset -B "$work/build" >/dev/null
+    strict || fail "$preset goes on"
+  done
+  mkdir -p "$work/project"
+  cp -r Makefile CMakeLists.txt CMakePresets.json paper src figures "$work/project"
+  cd "$work/project"
+  local switch='-DTHERMOROLL_TESTS=ON -DTHERMOROLL_WERROR=ON'
+  make -n test >"$work/log" 2>&1
+  grep -q -- "$switch" "$work/log" || fail "the tests are built without: $(head "$work/log")"
+  ! make -n reproduce | grep -q WERROR || fail "reproduce stops at warnings"
+  mkdir -p build
+  touch build/built
+  make -n test >"$work/log" 2>&1
+  ! grep -q WERROR "$work/log" || fail "a program that is there is compiled again"
 }
 
 # The extracts in the chapter on the build stand in the Makefile, line by line.

@@ -17,3 +17,6 @@ found=$(unreadable .ci/run tests/*.sh tests/*/*.sh)
 echo 'echo fine' >"$work/without.sh"
 printf '#!/bin/sh\nif\n' >"$work/mistaken.sh"
 [ "$(unreadable "$work/without.sh" "$work/mistaken.sh" | wc -l)" = 2 ] || fail "mistakes were not found"
+
+# The tests do not depend on who runs them: LC_ALL goes before all else of the locale.
+[ "$(LC_ALL=tr_TR.UTF-8 bash -c 'source tests/common.sh; echo $LC_ALL' 2>/dev/null)" = C.UTF-8 ] || fail "in the caller's locale"
