@@ -47,11 +47,12 @@ Given read_given(const CaseOptions& o) {
   return o.creep ? Given{creep, *o.creep} : Given{border, *o.border};
 }
 
-/// A validator with this condition and this description of what is allowed.
+/// A validator for the option of this name, with this condition and description of what is allowed.
 template <class Condition>
-CLI::Validator allow(Condition condition, const std::string& allowed) {
-  return {[=](const std::string& text) {
-            return condition(text) ? "" : text + " is not allowed: it must be " + allowed;
+CLI::Validator allow(const std::string& name, Condition condition, const std::string& allowed) {
+  return {[=](const std::string& text) -> std::string {
+            if (condition(text)) return "";
+            throw std::invalid_argument(name + " = " + text + " is not allowed: it must be " + allowed);
           },
           ""};
 }
@@ -70,10 +71,19 @@ Approach read_approach(const CaseOptions& o) {
   return a;
 }
 
-/// The key in CLI11's two complaints, "INI was not able to parse KEY" and "KEY: This option ...".
-std::string unknown_key(const std::string& text) {
-  const std::string start = "INI was not able to parse ";
-  return text.find(start) == 0 ? text.substr(start.size()) : text.substr(0, text.find(':'));
+/// The name of the first option of the program and the subcommand that is run, for which this holds.
+template <class Condition>
+std::string first_option(const CLI::App& app, Condition holds) {
+  std::vector<const CLI::App*> apps{&app};
+  for (const CLI::App* command : app.get_subcommands()) apps.push_back(command);
+  for (const CLI::App* one : apps)
+    for (const CLI::Option* option : one->get_options())
+      if (holds(*option)) return option->get_name();
+  return "";
+}
+
+std::string or_else(const std::string& text, const std::string& other) {
+  return text.empty() ? other : text;
 }
 
 }  // namespace
@@ -85,25 +95,32 @@ std::optional<double> to_number(const std::string& text) {
   return x;
 }
 
-CLI::Validator finite_number() {
-  return allow([](const std::string& text) { return to_number(text).has_value(); },
-               "a finite number");
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
 }
 
-CLI::Validator whole_number() {
+CLI::Validator finite_number(const std::string& name) {
+  return allow(
+      name, [](const std::string& text) { return to_number(text).has_value(); },
+      "a finite number");
+}
+
+CLI::Validator whole_number(const std::string& name) {
   const auto is_whole = [](const std::string& text) {
     int n = 0;
     std::from_chars(text.data(), text.data() + text.size(), n);
     return std::to_string(n) == text;
   };
-  return allow(is_whole, "a whole number");
+  return allow(name, is_whole, "a whole number");
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) {
+CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words) {
   const auto known = [=](const std::string& text) {
     return std::find(words.begin(), words.end(), text) != words.end();
   };
-  return allow(known, CLI::detail::join(words, " or "));
+  return allow(name, known, joined(words, " or "));
 }
 
 bool is_si_option(const std::string& name) {
@@ -116,13 +133,13 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
   const auto add = [&](const CaseOption& option, const char* group) {
     return command.add_option(option.name, o.*option.value, option.meaning)
         ->type_name(option.unit)
-        ->check(finite_number())
+        ->check(finite_number(option.name + 2))
         ->group(group);
   };
   const char* groups = "Dimensionless case";
   command.add_option("--friction", o.friction, "friction coefficient f, positive")
       ->type_name("NUMBER")
-      ->check(finite_number())
+      ->check(finite_number("friction"))
       ->required()
       ->group("Case");
   for (const CaseOption& option : given_options) add(option, "Case");
@@ -135,19 +152,19 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
   for (const CaseOption& option : size_options) add(option, si);
   command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
       ->type_name("auto|closed-form|first-order|coupled|gauss-chebyshev")
-      ->check(one_of({"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"}))
+      ->check(one_of("method", {"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"}))
       ->group("Method");
   command.add_option("--tolerance", o.tolerance, "1e-11 to 1e-2; 1e-6 unless given")
       ->type_name("NUMBER")
-      ->check(finite_number())
+      ->check(finite_number("tolerance"))
       ->group("Method");
   command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
       ->type_name("NUMBER")
-      ->check(whole_number())
+      ->check(whole_number("nodes"))
       ->group("Method");
   command.add_option("--formulation", o.formulation, "sign of the slope, corrected unless given")
       ->type_name("printed|corrected")
-      ->check(one_of({"printed", "corrected"}))
+      ->check(one_of("formulation", {"printed", "corrected"}))
       ->group("Method");
 }
 
@@ -188,21 +205,18 @@ SolvedCase solve_case(const Case& c) {
   return {x, units_of(*physical, scene.friction), in_si_units(x, *physical, c.radius.has_value())};
 }
 
-std::string reworded(const CLI::ParseError& error, const std::vector<std::string>& unclaimed) {
+std::string reworded(const CLI::ParseError& error, const CLI::App& app) {
+  const std::vector<std::string> unclaimed = app.remaining(true);
   if (!unclaimed.empty()) return "unexpected " + unclaimed.front() + " (see --help)";
-  const std::string text = error.what(), name = text.substr(0, text.find(':'));
-  switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
-    case CLI::ExitCodes::ValidationError:
-      return name.substr(name.find_first_not_of('-')) + " =" + text.substr(name.size() + 1);
-    case CLI::ExitCodes::ArgumentMismatch:
-      return name + " needs exactly one value";
-    case CLI::ExitCodes::FileError:
-      return "cannot read the case file " + text.substr(0, text.find(" was "));
-    case CLI::ExitCodes::ConfigError:
-      return "the case file sets what is no option for it: " + unknown_key(text);
-    default:
-      return text + " (see --help)";
-  }
+  const std::string text = error.what();
+  const auto is_named = [&](const CLI::Option& x) { return text.find(x.get_name()) == 0; };
+  const auto is_missing = [](const CLI::Option& x) { return x.get_required() && x.count() == 0; };
+  const auto kind = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  if (kind == CLI::ExitCodes::ArgumentMismatch)
+    return or_else(first_option(app, is_named), "an option") + " needs exactly one value";
+  if (kind == CLI::ExitCodes::RequiredError)
+    return or_else(first_option(app, is_missing), "A subcommand") + " is required (see --help)";
+  return text + " (see --help)";
 }
 
 }  // namespace thermoroll

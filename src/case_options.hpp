@@ -61,12 +61,16 @@ SolvedCase solve_case(const Case& c);
 /// The number that a text is as a whole, if it is finite.
 std::optional<double> to_number(const std::string& text);
 
-/// Validators for the texts of numbers and words.
-CLI::Validator finite_number();
-CLI::Validator whole_number();
-CLI::Validator one_of(const std::vector<std::string>& words);
+/// Validators for the texts of numbers and words, given to the option of this name. They throw
+/// std::invalid_argument.
+CLI::Validator finite_number(const std::string& name);
+CLI::Validator whole_number(const std::string& name);
+CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words);
 
-/// One line for a mistake in options, with the words that none of them claimed.
-std::string reworded(const CLI::ParseError& error, const std::vector<std::string>& unclaimed);
+/// Words with a text between any two of them.
+std::string joined(const std::vector<std::string>& words, const std::string& between);
+
+/// One line for a mistake in the options of app.
+std::string reworded(const CLI::ParseError& error, const CLI::App& app);
 
 }  // namespace thermoroll

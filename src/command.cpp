@@ -42,14 +42,37 @@ double between(double a, double b, double i, double n) {
   return std::isfinite(s) ? s : a * (1 - i / n) + b * (i / n);
 }
 
-void skip_mark(std::istream& in) {
-  for (const int byte : {0xEF, 0xBB, 0xBF})
-    if (in.peek() == byte) in.get();
+/// The text of a case file without its byte-order mark. Throws std::invalid_argument.
+std::string read_all(std::istream& in) {
+  constexpr std::size_t longest = 100000;
+  const std::string mark = "\xEF\xBB\xBF";
+  std::string text(longest + 1, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > longest)
+    throw std::invalid_argument("the case file has more than " + std::to_string(longest) + " bytes");
+  return text.substr(text.find(mark) == 0 ? mark.size() : 0);
+}
+
+CLI::Validator readable_file() {
+  return {[](const std::string& file) -> std::string {
+            std::error_code none;
+            if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none)) return "";
+            throw std::invalid_argument("cannot read the case file " + file);
+          },
+          ""};
 }
 
 bool is_key(const CLI::App& command, const std::string& name) {
   return command.get_option_no_throw("--" + name) != nullptr && name != "output" &&
-         name != "profile";
+         name != "profile" && name != "help";
+}
+
+/// Null if there is none of this name.
+const CLI::App* subcommand(const CLI::App& program, const std::string& name) {
+  for (const CLI::App* command : program.get_subcommands({}))
+    if (command->get_name() == name) return command;
+  return nullptr;
 }
 
 class CaseFile : public CLI::ConfigBase {
@@ -57,17 +80,18 @@ class CaseFile : public CLI::ConfigBase {
   explicit CaseFile(const CLI::App& program) : program_(program) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
-    skip_mark(in);
+    std::istringstream text(read_all(in));
     if (program_.get_subcommands().empty()) return {};  // which is refused next
-    const CLI::App& command = *program_.get_subcommands().front();
-    const std::vector<std::string> here{command.get_name()};
+    const std::vector<std::string> here{program_.get_subcommands().front()->get_name()};
     std::vector<CLI::ConfigItem> known;
     std::set<std::string> seen;
-    for (CLI::ConfigItem& item : ConfigBase::from_config(in)) {
+    for (CLI::ConfigItem& item : ConfigBase::from_config(text)) {
       if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
       if (item.parents.empty()) item.parents = here;
-      if (item.parents == here && !is_key(command, item.name))
-        throw std::invalid_argument("the case file sets what is no option for it: " + item.name);
+      const CLI::App* command = item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
+      if (command == nullptr || !is_key(*command, item.name))
+        throw std::invalid_argument("the case file sets what is no option for it: " +
+                                    (item.parents == here ? item.name : item.fullname()));
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
         throw std::invalid_argument("the case file gives " + item.name + " more than once");
       known.push_back(item);
@@ -114,6 +138,8 @@ bool same_file(const std::string& a, const std::string& b) {
 }
 
 void run_solve(const Options& o) {
+  if (o.profile == "-")
+    throw std::invalid_argument("profile = - is not allowed: it must be a file, beside the result");
   if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
     throw std::invalid_argument("--profile and --output are the same file, " + o.output);
   const auto [x, units, physical] = solve_case(read_case(o.of_case));
@@ -147,10 +173,10 @@ void run_figure_data(const Options& o) {
     throw std::invalid_argument("figure-data needs either a NAME or --list");
   const bool timed = !o.times.empty();
   const std::vector<std::string> names = timed ? timed_data_names() : figure_data_names();
-  if (o.list) return deliver({{CLI::detail::join(names, "\n") + '\n', o.output}});
+  if (o.list) return deliver({{joined(names, "\n") + '\n', o.output}});
   if (std::find(names.begin(), names.end(), o.name) == names.end())
     throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
-                                CLI::detail::join(names, ", "));
+                                joined(names, ", "));
   std::ostringstream out;
   if (timed)
     write_timed_data(o.name, read_times(o.times), out);
@@ -220,7 +246,7 @@ contact: what it violates, and where, is in the result.)";
 void add_format(CLI::App& command, Options& o) {
   command.add_option("--format", o.format, "format of the result, text unless given")
       ->type_name("text|json|csv")
-      ->check(one_of({"text", "json", "csv"}));
+      ->check(one_of("format", {"text", "json", "csv"}));
 }
 
 void add_output(CLI::App& command, Options& o) {
@@ -235,16 +261,14 @@ void add_solve(CLI::App& program, Options& o) {
   command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
       ->type_name("FILE");
   add_output(command, o);
-  command.footer(solve_examples);
 }
 
 void add_sweep(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("sweep", "Solve a table of cases, row by row");
   command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
       ->type_name("NUMBER")
-      ->check(whole_number());
+      ->check(whole_number("jobs"));
   command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
-  command.footer(sweep_examples);
 }
 
 void add_temperature(CLI::App& program, Options& o) {
@@ -255,9 +279,8 @@ void add_temperature(CLI::App& program, Options& o) {
       ->required();
   command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
       ->type_name("NUMBER")
-      ->check(finite_number());
+      ->check(finite_number("depth"));
   add_output(command, o);
-  command.footer(temperature_examples);
 }
 
 void add_figure_data(CLI::App& program, Options& o) {
@@ -268,7 +291,6 @@ void add_figure_data(CLI::App& program, Options& o) {
   command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
       ->type_name("FILE");
   add_output(command, o);
-  command.footer(figure_data_examples);
 }
 
 void add_claims(CLI::App& program, Options& o) {
@@ -276,7 +298,20 @@ void add_claims(CLI::App& program, Options& o) {
       *program.add_subcommand("claims", "Print the paper's statements beside what was found");
   add_format(command, o);
   add_output(command, o);
-  command.footer(claims_examples);
+}
+
+std::string help(const CLI::App& program) {
+  static const std::map<std::string, const char*> examples{
+      {"solve", solve_examples},
+      {"sweep", sweep_examples},
+      {"temperature", temperature_examples},
+      {"figure-data", figure_data_examples},
+      {"claims", claims_examples}};
+  const auto commands = program.get_subcommands();
+  const char* footer = commands.empty() ? program_footer : examples.at(commands[0]->get_name());
+  std::string text = program.help() + '\n' + footer + '\n';
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+  return text;
 }
 
 }  // namespace
@@ -284,9 +319,11 @@ void add_claims(CLI::App& program, Options& o) {
 std::vector<double> read_points(const std::string& text) {
   const bool grid = text.find(':') != std::string::npos;
   std::vector<double> parts;
-  for (const std::string& part : CLI::detail::split(text + (grid ? ':' : ','), grid ? ':' : ',')) {
-    if (!to_number(part)) refuse_points(text);
-    parts.push_back(*to_number(part));
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(grid ? ':' : ',', begin);
+    const std::optional<double> part = to_number(text.substr(begin, end - begin));
+    if (!part) refuse_points(text);
+    parts.push_back(*part);
   }
   if (!grid) return parts;
   if (parts.size() != 3) refuse_points(text);
@@ -302,22 +339,23 @@ Command read_command(const std::vector<std::string>& arguments) {
   Command c;
   CLI::App program("Rolling contact of a cylinder with frictional heating", "thermoroll");
   program.set_version_flag("--version", "thermoroll " THERMOROLL_VERSION, "print the version");
-  program.set_config("--config", "", "read a case from this file (TOML or INI)")->type_name("FILE");
+  program.set_config("--config", "", "read a case from this file (TOML or INI)")
+      ->type_name("FILE")
+      ->check(readable_file());
   program.config_formatter(std::make_shared<CaseFile>(program));
   program.allow_config_extras(CLI::config_extras_mode::error);
   program.require_subcommand(1)->fallthrough();
   for (const auto add : {add_solve, add_sweep, add_temperature, add_figure_data, add_claims})
     add(program, c.options);
-  program.footer(program_footer);
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     c.subcommand = program.get_subcommands().front()->get_name();
   } catch (const CLI::CallForHelp&) {
-    c.text = CLI::detail::find_and_replace(program.help(), "\n\n\n", "\n\n");
+    c.text = help(program);
   } catch (const CLI::CallForVersion& version) {
     c.text = version.what() + std::string("\n");
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(reworded(error, program.remaining(true)));
+    throw std::invalid_argument(reworded(error, program));
   }
   return c;
 }

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     thermoroll::run(thermoroll::read_command({argv + std::min(argc, 1), argv + argc}));
     return 0;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "thermoroll: %s\n", thermoroll::in_one_line(error.what()).c_str());
+    std::fprintf(stderr, "thermoroll: %s\n", thermoroll::message_of(error).c_str());
     return thermoroll::status_of(error);
   }
 }

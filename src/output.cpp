@@ -249,10 +249,12 @@ struct Written {
 
 /// Create the file aside; its descriptor, or -1.
 int create_beside(Written& x) {
+  const fs::path folder = fs::path(x.target).parent_path();
   for (int k = 0;; ++k) {
-    const std::string name = x.target + '.' + std::to_string(getpid()) + '-' + std::to_string(k);
-    const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0) x.aside = name;
+    const std::string name = "thermoroll-" + std::to_string(getpid()) + '-' + std::to_string(k);
+    const fs::path aside = folder / name;
+    const int file = open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0) x.aside = aside.string();
     if (file >= 0 || errno != EEXIST) return file;
   }
 }
@@ -268,6 +270,7 @@ int open_aside(Written& x) {
   const char* name = x.file.c_str();
   struct stat old {};
   const bool is_new = stat(name, &old) != 0;
+  if (is_new && errno != ENOENT) return -1;
   if (!is_new && !S_ISREG(old.st_mode)) return open(name, O_WRONLY | O_TRUNC | O_CLOEXEC);
   if (!is_new && access(name, W_OK) != 0) return -1;
   x.target = end_of_links(x.file);
@@ -391,13 +394,14 @@ void print(const std::string& text) {
 
 void deliver(const std::vector<Answer>& answers) {
   const std::lock_guard<std::timed_mutex> whole(writing());
+  const auto to_output = [](const Answer& x) { return x.file.empty() || x.file == "-"; };
   std::vector<Written> written;
   try {
     for (const Answer& answer : answers)
-      if (!answer.file.empty())
+      if (!to_output(answer))
         write_aside(written.emplace_back(Written{answer.file, "", ""}), answer.text);
     for (const Answer& answer : answers)
-      if (answer.file.empty()) print(answer.text);
+      if (to_output(answer)) print(answer.text);
     for (const Written& x : written)
       if (!x.aside.empty()) put_in_place(x);
   } catch (...) {

@@ -38,7 +38,7 @@ std::string curve_csv(const Curve& curve, const std::optional<Units>& units);
 /// A profile as CSV, with SI columns beside the dimensionless ones if the units are known.
 std::string profile_csv(const Profile& x, const std::optional<Units>& units);
 
-/// A text and the file to write it to; standard output if file is empty.
+/// A text and the file to write it to; standard output if file is empty or "-".
 struct Answer {
   std::string text, file;
 };

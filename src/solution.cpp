@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "least_model.hpp"
 #include "numbers.hpp"
@@ -76,7 +77,12 @@ PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
   require(3 <= n && n <= 5000, "nodes", n, "from 3 to 5000");
   PrintedOptions options;
   options.nodes = n;
-  return solve_printed(scene, approach.formulation, options);
+  try {
+    return solve_printed(scene, approach.formulation, options);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("gauss-chebyshev with " + std::to_string(n) + " nodes needs " +
+                             fixed(4e-6 * n * n * sizeof(double), 0) + " MB of memory, too much here");
+  }
 }
 
 Solution solve_gauss_chebyshev(const Scene& scene, const Approach& approach) {

@@ -109,6 +109,10 @@ std::string with_results(const SweepTable& table, std::vector<std::string> cells
 std::vector<std::string> read_header(const std::string& line) {
   const std::string mark = "\xEF\xBB\xBF";  // the byte-order mark
   std::vector<std::string> columns = cells_of(line.substr(line.find(mark) == 0 ? mark.size() : 0));
+  if (line.find('"') != std::string::npos)
+    throw std::invalid_argument("the header has quotes, which are not read: write its names without");
+  if (line.find('\r') < line.find_last_not_of("\r"))
+    throw std::invalid_argument("the lines end in carriage returns alone: save them with line feeds");
   const RowOptions options;
   std::set<std::string> seen;
   for (const std::string& name : columns) {
@@ -129,6 +133,7 @@ class Sweep {
  private:
   std::optional<std::string> take(long& row);
   void put(long row, SweepRow done);
+  void start_another(std::vector<std::thread>& threads);
   void work();
   void fail();
   void tell();
@@ -194,6 +199,15 @@ void Sweep::work() {
   }
 }
 
+void Sweep::start_another(std::vector<std::thread>& threads) {
+  try {
+    threads.emplace_back([this] { work(); });
+  } catch (const std::system_error& error) {
+    throw std::system_error(error.code(), "cannot solve more than " + std::to_string(threads.size()) +
+                                              " rows at a time (see --jobs)");
+  }
+}
+
 SweepCount Sweep::run(int jobs) {
   const std::optional<std::string> header = lines_.next(stop_);
   if (!header) throw std::invalid_argument("the table is empty: it has no header");
@@ -206,7 +220,7 @@ SweepCount Sweep::run(int jobs) {
   }
   std::vector<std::thread> threads;
   try {
-    for (int i = 0; i < jobs; ++i) threads.emplace_back([this] { work(); });
+    while (threads.size() < static_cast<std::size_t>(jobs)) start_another(threads);
   } catch (...) {
     fail();
   }
@@ -243,7 +257,7 @@ CaseOptions read_row(const std::vector<std::string>& columns,
   try {
     options->row.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(reworded(error, options->row.remaining()));
+    throw std::invalid_argument(reworded(error, options->row));
   }
   return options->values;
 }
@@ -271,7 +285,7 @@ SweepRow answer(const SweepTable& table, const std::string& line) {
     return {with_results(table, cells, found, "0", ""), true};
   } catch (const std::exception& error) {
     const std::string status = std::to_string(status_of(error));
-    return {with_results(table, cells, found, status, in_one_line(error.what())), false};
+    return {with_results(table, cells, found, status, message_of(error)), false};
   }
 }
 

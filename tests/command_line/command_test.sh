@@ -466,8 +466,9 @@ BadCaseFiles() {
   bad "no option for it: at" $'peclet = 100\nat = 0.5'
   bad "no option for it: output" $'peclet = 100\noutput = "other"'
   bad "no option for it: profile" $'[solve]\npeclet = 100\nprofile = "other"'
-  bad "nowhere.peclet" $'[nowhere]\npeclet = 100'
-  bad "help" $'peclet = 100\nhelp = true'
+  bad "no option for it: nowhere.peclet" $'[nowhere]\npeclet = 100'
+  bad "no option for it: temperature.pecle" $'peclet = 100\n[temperature]\npecle = 100'
+  bad "no option for it: help" $'peclet = 100\nhelp = true'
   bad "peclet = abc is not allowed: it must be a finite number" 'peclet = abc'
   bad "peclet = nan is not allowed: it must be a finite number" 'peclet = nan'
   bad "peclet =  is not allowed" 'peclet = '
@@ -479,6 +480,11 @@ BadCaseFiles() {
   refuses 2 "A subcommand is required" --config bad.toml
   refuses 2 "cannot read the case file nowhere.toml" solve --config nowhere.toml
   refuses 2 "cannot read the case file ." solve --config .
+  refuses 2 "the case file has more than 100000 bytes" solve --config /dev/zero
+  { printf '%s' "$case"; yes '# a comment'; } | head -c 100000 >long.toml
+  answers solve --config long.toml --peclet 100
+  echo >>long.toml
+  refuses 2 "the case file has more than 100000 bytes" solve --config long.toml --peclet 100
   refuses 2 "--config needs exactly one value" solve "${paper_case[@]}" --config
 }
 
@@ -680,6 +686,101 @@ UnwritableOutput() {
   refuses 1 "cannot write nowhere/file" figure-data kernels --output nowhere/file
   ln -s loop loop
   refuses 1 "cannot write loop/file: Too many levels" solve "${paper_case[@]}" --output loop/file
+  ln -s back forth
+  ln -s forth back
+  refuses 1 "cannot write forth: Too many levels of symbolic links" solve "${paper_case[@]}" --output forth
+  [ -L forth ] && [ -L back ] || fail "a link was replaced"
+  refuses 2 "profile = - is not allowed: it must be a file" solve "${paper_case[@]}" --profile -
+  run solve "${paper_case[@]}" --output -
+  grep -q '^method' out || fail "- is not standard output"
+  [ "$(ls)" = "$(printf '%s\n' back err forth loop out)" ] || fail "left behind: $(ls)"
+}
+
+# A name may have 255 bytes; what is written beside the file is no longer.
+LongNames() {
+  local name long
+  name=$(printf '%0255d' 0)
+  for long in "${name:10}" "$name"; do
+    run solve "${paper_case[@]}" --output "$long" --profile "p${long:1}"
+    [ $status -eq 0 ] && grep -q '^method' "$long" && grep -q '^s,' "p${long:1}" || fail "$(cat err)"
+    rm "$long" "p${long:1}"
+  done
+  refuses 1 "File name too long" solve "${paper_case[@]}" --output "0$name"
+  [ "$(ls)" = "$(printf '%s\n' err out)" ] || fail "left behind: $(ls)"
+}
+
+# Too little memory is said to be that, with what is needed or was in use; in a sweep only the row
+# that needs it fails.
+TooLittleMemory() {
+  with_little() { (ulimit -v 300000 && "$program" "$@" >out 2>err) || status=$?; } # kilobytes
+  local scheme="gauss-chebyshev with 5000 nodes needs 800 MB of memory, too much here"
+  status=0
+  with_little solve "${paper_case[@]}" --method gauss-chebyshev --nodes 5000
+  [ $status -eq 1 ] && [ ! -s out ] || fail "status $status: $(cat err)"
+  one_line "$scheme"
+  printf '%s\n' friction,traction,peclet,method,nodes 0.6,0.5,100,gauss-chebyshev,5000 \
+    0.6,0.5,100,closed-form, >scenes.csv
+  status=0
+  with_little sweep --jobs 1 <scenes.csv
+  [ $status -eq 4 ] || fail "status $status: $(cat err)"
+  sed -n 2p out | grep -qF ",1,\"$scheme\"" || fail "$(cat out)"
+  sed -n 3p out | grep -q ',0,$' || fail "$(cat out)"
+  { echo 'friction = 0.6'; echo 'traction = 0.5'; } >case.toml
+  status=0
+  (ulimit -v 100000 && "$program" temperature --config case.toml --peclet 100 --method closed-form \
+    --at -1:1:1000000 >out 2>err) || status=$?
+  [ $status -eq 1 ] && [ ! -s out ] || fail "status $status: $(cat err)"
+  grep -qx 'thermoroll: there is not enough memory: [1-9][0-9]* MB were in use' err || fail "$(cat err)"
+}
+
+# A message is text, whatever it quotes: letters stay, what would control the terminal or is no UTF-8
+# does not.
+MessagesAreText() {
+  said() { # said TEXT QUOTED
+    refuses 2 "peclet = $2 is not allowed" solve --friction 0.6 --traction 0.5 --peclet "$1"
+  }
+  said 'größer' 'größer'
+  said '∞' '∞'
+  said '😀' '😀'
+  said $'\e[2J' ' [2J'
+  said $'a\x7fb' 'a b'
+  said $'\xc2\x9b2J' ' 2J'
+  said $'\xc2\xa0' $'\xc2\xa0'
+  said $'\xff' '\xff'
+  said $'a\xc3' 'a\xc3'
+  said $'\xc3(' '\xc3('
+  said $'\xc0\x80' '\xc0\x80'
+  said $'\xe0\x9f\xbf' '\xe0\x9f\xbf'
+  said $'\xed\xa0\x80' '\xed\xa0\x80'
+  said $'\xf0\x8f\xbf\xbf' '\xf0\x8f\xbf\xbf'
+  said $'\xf4\x90\x80\x80' '\xf4\x90\x80\x80'
+  said $'\xf5\x80\x80\x80' '\xf5\x80\x80\x80'
+}
+
+# The letters and decimals of a language make no difference.
+SameInEveryLocale() {
+  mkdir "$scratch/locales"
+  localedef -i tr_TR -f UTF-8 "$scratch/locales/tr_TR.UTF-8" >/dev/null 2>&1 &&
+    localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1 ||
+    { echo "skipped: locales cannot be made here"; exit 77; }
+  export LOCPATH="$scratch/locales"
+  [ "$(LC_ALL=de_DE.UTF-8 locale decimal_point)" = , ] || fail "no German locale"
+  local format locale
+  for format in text json csv; do
+    answers solve "${steel[@]}" --half-width 5.5e-3 --format $format --profile profile
+    mv out expected
+    mv profile expected-profile
+    for locale in tr_TR de_DE; do
+      LC_ALL=$locale.UTF-8 answers solve "${steel[@]}" --half-width 5.5e-3 --format $format --profile profile
+      cmp out expected && cmp profile expected-profile || fail "$locale makes a difference"
+    done
+  done
+  answers figure-data kernels
+  mv out expected
+  for locale in tr_TR de_DE; do
+    LC_ALL=$locale.UTF-8 answers figure-data kernels
+    cmp out expected || fail "$locale makes a difference"
+  done
 }
 
 # Where nothing may be written, and where a file may not grow as large as it would. The program must
