@@ -50,11 +50,12 @@ Given read_given(const CaseOptions& o) {
 /// A validator for the option of this name, with this condition and description of what is allowed.
 template <class Condition>
 CLI::Validator allow(const std::string& name, Condition condition, const std::string& allowed) {
-  return {[=](const std::string& text) -> std::string {
-            if (condition(text)) return "";
-            throw std::invalid_argument(name + " = " + text + " is not allowed: it must be " + allowed);
-          },
-          ""};
+  return {
+      [=](const std::string& text) -> std::string {
+        if (condition(text)) return "";
+        throw std::invalid_argument(name + " = " + text + " is not allowed: it must be " + allowed);
+      },
+      ""};
 }
 
 Approach read_approach(const CaseOptions& o) {
@@ -71,7 +72,8 @@ Approach read_approach(const CaseOptions& o) {
   return a;
 }
 
-/// The name of the first option of the program and the subcommand that is run, for which this holds.
+/// The name of the first option of the program and the subcommand that is run, for which this
+/// holds.
 template <class Condition>
 std::string first_option(const CLI::App& app, Condition holds) {
   std::vector<const CLI::App*> apps{&app};
@@ -103,8 +105,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
 
 CLI::Validator finite_number(const std::string& name) {
   return allow(
-      name, [](const std::string& text) { return to_number(text).has_value(); },
-      "a finite number");
+      name, [](const std::string& text) { return to_number(text).has_value(); }, "a finite number");
 }
 
 CLI::Validator whole_number(const std::string& name) {
@@ -152,7 +153,8 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
   for (const CaseOption& option : size_options) add(option, si);
   command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
       ->type_name("auto|closed-form|first-order|coupled|gauss-chebyshev")
-      ->check(one_of("method", {"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"}))
+      ->check(
+          one_of("method", {"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"}))
       ->group("Method");
   command.add_option("--tolerance", o.tolerance, "1e-11 to 1e-2; 1e-6 unless given")
       ->type_name("NUMBER")

@@ -50,14 +50,16 @@ std::string read_all(std::istream& in) {
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > longest)
-    throw std::invalid_argument("the case file has more than " + std::to_string(longest) + " bytes");
+    throw std::invalid_argument("the case file has more than " + std::to_string(longest) +
+                                " bytes");
   return text.substr(text.find(mark) == 0 ? mark.size() : 0);
 }
 
 CLI::Validator readable_file() {
   return {[](const std::string& file) -> std::string {
             std::error_code none;
-            if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none)) return "";
+            if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none))
+              return "";
             throw std::invalid_argument("cannot read the case file " + file);
           },
           ""};
@@ -88,7 +90,8 @@ class CaseFile : public CLI::ConfigBase {
     for (CLI::ConfigItem& item : ConfigBase::from_config(text)) {
       if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
       if (item.parents.empty()) item.parents = here;
-      const CLI::App* command = item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
+      const CLI::App* command =
+          item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
       if (command == nullptr || !is_key(*command, item.name))
         throw std::invalid_argument("the case file sets what is no option for it: " +
                                     (item.parents == here ? item.name : item.fullname()));
@@ -301,12 +304,11 @@ void add_claims(CLI::App& program, Options& o) {
 }
 
 std::string help(const CLI::App& program) {
-  static const std::map<std::string, const char*> examples{
-      {"solve", solve_examples},
-      {"sweep", sweep_examples},
-      {"temperature", temperature_examples},
-      {"figure-data", figure_data_examples},
-      {"claims", claims_examples}};
+  static const std::map<std::string, const char*> examples{{"solve", solve_examples},
+                                                           {"sweep", sweep_examples},
+                                                           {"temperature", temperature_examples},
+                                                           {"figure-data", figure_data_examples},
+                                                           {"claims", claims_examples}};
   const auto commands = program.get_subcommands();
   const char* footer = commands.empty() ? program_footer : examples.at(commands[0]->get_name());
   std::string text = program.help() + '\n' + footer + '\n';

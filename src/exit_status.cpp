@@ -18,7 +18,11 @@ std::size_t character_at(const std::string& text, std::size_t at) {
   };
   const unsigned first = byte(0), second = byte(1);
   if (first < 0x80) return 1;
-  const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  const std::size_t length = first < 0xC2   ? 0
+                             : first < 0xE0 ? 2
+                             : first < 0xF0 ? 3
+                             : first < 0xF5 ? 4
+                                            : 0;
   for (std::size_t k = 1; k < length; ++k)
     if ((byte(k) & 0xC0U) != 0x80) return 0;
   const bool too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);

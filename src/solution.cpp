@@ -81,7 +81,8 @@ PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
     return solve_printed(scene, approach.formulation, options);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("gauss-chebyshev with " + std::to_string(n) + " nodes needs " +
-                             fixed(4e-6 * n * n * sizeof(double), 0) + " MB of memory, too much here");
+                             fixed(4e-6 * n * n * sizeof(double), 0) +
+                             " MB of memory, too much here");
   }
 }
 

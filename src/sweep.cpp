@@ -110,9 +110,11 @@ std::vector<std::string> read_header(const std::string& line) {
   const std::string mark = "\xEF\xBB\xBF";  // the byte-order mark
   std::vector<std::string> columns = cells_of(line.substr(line.find(mark) == 0 ? mark.size() : 0));
   if (line.find('"') != std::string::npos)
-    throw std::invalid_argument("the header has quotes, which are not read: write its names without");
-  if (line.find('\r') < line.find_last_not_of("\r"))
-    throw std::invalid_argument("the lines end in carriage returns alone: save them with line feeds");
+    throw std::invalid_argument(
+        "the header has quotes, which are not read: write its names without");
+  if (line.find('\r') < line.find_last_not_of('\r'))
+    throw std::invalid_argument(
+        "the lines end in carriage returns alone: save them with line feeds");
   const RowOptions options;
   std::set<std::string> seen;
   for (const std::string& name : columns) {
@@ -203,7 +205,8 @@ void Sweep::start_another(std::vector<std::thread>& threads) {
   try {
     threads.emplace_back([this] { work(); });
   } catch (const std::system_error& error) {
-    throw std::system_error(error.code(), "cannot solve more than " + std::to_string(threads.size()) +
+    throw std::system_error(error.code(), "cannot solve more than " +
+                                              std::to_string(threads.size()) +
                                               " rows at a time (see --jobs)");
   }
 }

@@ -815,10 +815,10 @@ InterruptedLeavesNothing() {
   echo old >file
   local slow=(--method gauss-chebyshev --nodes 5000) signal number name
   while read -r signal number name; do
-    interrupt "$signal" "$program" solve "${paper_case[@]}" "${slow[@]}" --output file >out
+    interrupt "$signal" 0 "$program" solve "${paper_case[@]}" "${slow[@]}" --output file >out
     [ $status -eq "$number" ] && [ ! -s out ] || fail "status $status: $(cat err)"
     one_line "stopped by a signal: $name"
-    interrupt "$signal" "$program" figure-data values --output new >out
+    interrupt "$signal" 0 "$program" figure-data values --output new >out
     [ $status -eq "$number" ] && [ ! -s out ] || fail "status $status: $(cat err)"
   done <<'END'
 INT 130 Interrupt

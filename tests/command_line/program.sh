@@ -44,12 +44,24 @@ code() {
   awk -v start="^\`\`\` $1\$" '$0 ~ start { inside = 1; next } /^```$/ { inside = 0 } inside' "$chapters/$2"
 }
 
-# interrupt SIGNAL COMMAND...: runs the command and, after half a second, sends it the signal.
+# interrupt SIGNAL BYTES COMMAND...: runs the command and sends it the signal when it waits for signals,
+# which is its second thread, and has written so many bytes. (With job control, as otherwise a command
+# in the background ignores an interrupt.)
 interrupt() {
-  local signal=$1
-  shift
-  status=0
-  timeout --foreground --signal="$signal" --preserve-status 0.5 "$@" 2>err || status=$?
+  local signal=$1 bytes=$2 pid
+  shift 2
+  set -m
+  "$@" <&0 2>err &
+  set +m
+  pid=$! status=0
+  ready() { [ "$(find "/proc/$pid/task" -mindepth 1 -maxdepth 1 | wc -l)" -ge 2 ]; }
+  written() { sed -n 's/^wchar: //p' "/proc/$pid/io"; }
+  until ready && [ "$(written)" -ge "$bytes" ]; do
+    grep -qa . "/proc/$pid/cmdline" || fail "ended before it could be interrupted: $(cat err)"
+    sleep 0.05
+  done
+  kill -"$signal" $pid
+  wait $pid || status=$?
 }
 
 # As an unprivileged user, who may run but not write here.

@@ -381,7 +381,7 @@ FullDiskLeavesWholeRows() {
   [ "$(wc -c <results.csv)" -gt 10000 ] || fail "hardly anything in the file"
 }
 
-# Rows that never end, a signal after half a second: what is there is whole, and the program dies
+# Rows that never end, a signal when some are written: what is there is whole, and the program dies
 # of the signal. A reader that does not read cannot prevent that.
 InterruptedLeavesWholeRows() {
   write_scenes
@@ -390,14 +390,16 @@ InterruptedLeavesWholeRows() {
     [ $status -eq "$1" ] || fail "status $status, not $1: $(cat err)"
     one_line "stopped by a signal: $2"
   }
-  interrupt INT "$program" sweep < <(endless) >results.csv
+  interrupt INT 1 "$program" sweep < <(endless) >results.csv
   died 130 Interrupt
   whole_rows <results.csv
-  interrupt TERM "$program" sweep < <(endless) >results.csv
+  interrupt TERM 1 "$program" sweep < <(endless) >results.csv
   died 143 Terminated
   whole_rows <results.csv
-  { interrupt HUP "$program" sweep < <(endless); echo $status >status; } | sleep 3
-  status=$(cat status)
+  mkfifo unread
+  exec 3<>unread
+  interrupt HUP 1 "$program" sweep < <(endless) >unread
+  exec 3>&-
   died 129 Hangup
 }
 

@@ -17,8 +17,8 @@ CountsEveryScene() {
 CrashIsOneScene() {
   "$soak" 0 4 >out &
   local pid=$! status=0
-  sleep 1
-  kill -SEGV "$(pgrep -P $pid | head -1)"
+  until pgrep -P $pid >children; do kill -0 $pid || fail "$(cat out)"; done
+  kill -SEGV "$(head -1 children)"
   wait $pid || status=$?
   [ $status -eq 1 ] || fail "status $status: $(cat out)"
   grep -q '^ *1 killed: Segmentation fault$' out || fail "$(cat out)"
