@@ -146,7 +146,8 @@ Level find_border(const Scene& scene, Formulation formulation, int n, const Give
 /// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
 double unresolved(double tail, int n, bool slow) {
   const double part = (n < 30 ? 20.0 : 10.0) / n / n;
-  const double large = slow ? 0 : n < 30 ? 1e-3 : 2e-4;
+  const bool early = n <= 100 && (slow || n >= 30);
+  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
   const double layer = tail > large ? std::min(1e3 * tail, 1.0) : 0;
   return tail * std::max(part, layer);
 }

@@ -73,7 +73,7 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   const double f = scene.friction;
   const Carter cold = carter_given(f, given);
   const Border before = border_of(cold);
-  const double narrow = std::max(0.0, std::log10(before.stick / before.slip) - 2);
+  const double narrow = decades_shorter(before);
   const double fast = std::max(0.0, std::log10(before.slip * scene.peclet) - 6);
   const double extreme = std::max(0.0, narrow - 3);
   const Rules rules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));

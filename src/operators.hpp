@@ -45,12 +45,15 @@ inline const Rule& taken_by(int group, int n) {
 /// By how many decades the speed lambda of a slip zone exceeds 1e4.
 inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(lambda) - 4); }
 
-/// Nodes of the stick zone on a grid of n unknowns: two more for every decade by which the slip
-/// zone is shorter than a hundredth of it. The fine grids are those of strong heating, which needs
-/// G as fine as h.
+/// By how many decades the slip zone is shorter than a hundredth of the stick zone.
+inline double decades_shorter(const Border& at) {
+  return std::max(0.0, std::log10(at.stick / at.slip) - 2);
+}
+
+/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids
+/// are those of strong heating, which needs G as fine as h.
 inline int stick_nodes(int n, const Border& at) {
-  const double decades = std::max(0.0, std::log10(at.stick / at.slip) - 2);
-  return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades);
+  return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades_shorter(at));
 }
 
 /// Nodes of a ray for temperatures: the more the faster the slip zone, lambda, is.

@@ -203,7 +203,7 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
   const double e = x.error->heat_integral / x.value.heat_integral;
   const auto error = [&](double Peaks::*what) {
-    return std::abs(changed.*what - own.*what) + e * own.*what;
+    return 2 * std::abs(changed.*what - own.*what) + e * own.*what;
   };
   const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
   return {better ? changed : own, errors};
