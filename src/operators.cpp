@@ -325,8 +325,24 @@ Warmth warmth(double slip, double peclet, const VectorXd& h, double left, double
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
 }
 
+/// The hottest point by temperatures alone.
+Summit search(double slip, double peclet, const VectorXd& h, const Rule& rule) {
+  const auto value = [&](double y) {
+    return std::abs(y) < 1 ? warmth(slip, peclet, h, 1 + y, 1 - y, 0, rule).value : 0;
+  };
+  Summit top{0, 0};
+  for (double apart = 1.0 / 16; apart > 1e-5; apart /= 8) {
+    const double middle = top.y;
+    for (int i = -16; i <= 16; ++i) {
+      const double y = middle + i * apart, now = value(y);
+      if (now > top.value) top.y = y, top.value = now;
+    }
+  }
+  return top;
+}
+
 Summit climb(double slip, double peclet, const VectorXd& h, const Summit& near, const Rule& rule) {
-  double low = -1, high = 1, bend = near.bend, y = near.y, last = y, before = 0;
+  double low = -1, high = 1, bend = near.bend, y = near.y, last = y, before = 0, hottest = 0;
   for (int step = 0;; ++step) {
     const Place at(1 + y, 1 - y);
     const Warmth now = warmth(slip, peclet, h, 1 + y, 1 - y, 0, rule);
@@ -335,8 +351,11 @@ Summit climb(double slip, double peclet, const VectorXd& h, const Summit& near, 
     (slope > 0 ? low : high) = y;
     const double move = std::clamp(-slope / bend, -0.3, 0.3), next = y + move;
     const bool known = step > 0 || near.value > 0;  // the curvature
-    if ((known && std::abs(move) < 1e-5) || step == 60)
+    hottest = std::max(hottest, now.value);
+    if ((known && std::abs(move) < 1e-5) || step == 60) {
+      if (now.value < hottest * (1 - 1e-6)) return search(slip, peclet, h, rule);
       return {next, now.value * (1 + slope * move / 2), bend};
+    }
     last = y, before = slope;
     y = low < next && next < high ? next : (low + high) / 2;
   }
