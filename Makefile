@@ -122,7 +122,7 @@ else
 # --- What there is to make ------------------------------------------------------------------------
 
 chapters := $(wildcard paper/*.md)
-sources := $(wildcard src/*.cpp src/*.hpp)
+sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes survival
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "kernels.hpp"
-#include "quadrature.hpp"
-#include "scene.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/quadrature.hpp"
+#include "thermoroll/scene.hpp"
 
 namespace response {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "figure_data.hpp"
+#include "studies/figure_data.hpp"
 #include "table.hpp"
 
 using namespace thermoroll_test;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "scene.hpp"
 #include "table.hpp"
+#include "thermoroll/scene.hpp"
 
 using namespace thermoroll_test;
 

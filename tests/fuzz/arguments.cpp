@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "command.hpp"
 #include "fuzz.hpp"
+#include "program/command.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::istringstream text(std::string(data, data + size));

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "command.hpp"
 #include "fuzz.hpp"
+#include "program/command.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string name =

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "coupled.hpp"
 #include "fuzz.hpp"
+#include "thermoroll/coupled.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace thermoroll;

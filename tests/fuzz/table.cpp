@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "fuzz.hpp"
-#include "sweep.hpp"
+#include "program/sweep.hpp"
 
 namespace {
 

@@ -181,7 +181,7 @@ ConfiguresInFolderWithCapitals() {
   mkdir "$work/My Project"
   cp -r CMakeLists.txt paper src "$work/My Project"
   cmake -S "$work/My Project" -B "$work/build" -DTHERMOROLL_LINES=ON >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  [ -s "$work/build/tangled/src/sweep.cpp" ] || fail "nothing was tangled"
+  [ -s "$work/build/tangled/src/program/sweep.cpp" ] || fail "nothing was tangled"
 }
 
 MissingLibrary() {

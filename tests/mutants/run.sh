@@ -17,10 +17,11 @@ copy_project() {
   for name in *; do
     [ "$name" = src ] || [ "$name" = build ] || ln -sfn "$PWD/$name" "$project/$name"
   done
-  cp src/* "$folder/new"
+  cp -r src/. "$folder/new"
   perl tests/mutants/inject.pl tests/mutants/list src "$folder/new" >"$folder/all"
-  for name in "$folder"/new/*; do
-    cmp -s "$name" "$project/src/${name##*/}" || cp "$name" "$project/src"
+  (cd "$folder/new" && find . -type d -exec mkdir -p "$project/src/{}" ';')
+  (cd "$folder/new" && find . -type f) | while read -r name; do
+    cmp -s "$folder/new/$name" "$project/src/$name" || cp "$folder/new/$name" "$project/src/$name"
   done
 }
 

@@ -14,13 +14,13 @@
 
 #include <Eigen/Core>
 
-#include "carter.hpp"
-#include "kernels.hpp"
-#include "least_model.hpp"
-#include "numbers.hpp"
-#include "operators.hpp"
-#include "quadrature.hpp"
-#include "solution.hpp"
+#include "solver/contact_grid.hpp"
+#include "solver/least_model.hpp"
+#include "support/number_text.hpp"
+#include "thermoroll/carter.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/quadrature.hpp"
+#include "thermoroll/solution.hpp"
 
 using namespace thermoroll;
 using Eigen::ArrayXd;

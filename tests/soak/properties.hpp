@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "coupled.hpp"
+#include "thermoroll/coupled.hpp"
 
 namespace soak {
 

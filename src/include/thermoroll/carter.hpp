@@ -1,0 +1,38 @@
+// Tangled from paper/06-closed-form.md; edit there.
+#pragma once
+
+#include "thermoroll/heat_flux.hpp"
+
+namespace thermoroll {
+
+/// Hertz and Carter's solution at H = 0, @eq:carter. Dimensionless.
+struct Carter {
+  double friction;         ///< f
+  double b;                ///< half-width of the stick zone, in (0, 1)
+  double slip_half_width;  ///< 1 - b, half-width of the slip zone, to full relative accuracy
+  double c0;               ///< stick-slip border, 2b - 1
+  double creep;            ///< xi*
+};
+
+/// Solve for 0 < traction < friction; throws std::invalid_argument otherwise.
+Carter carter(double friction, double traction);
+
+/// Isothermal pressure p*(s), @eq:hertz; zero outside [-1, 1]. Dimensionless (per P/a).
+double hertz_pressure(double s);
+
+/// Traction q*(s), @eq:carter-traction; zero outside [-1, 1]. Dimensionless (per P/a).
+double carter_traction(const Carter& c, double s);
+
+/// Slip velocity v*(s) for s <= 1, @eq:carter-slip; zero in the stick zone.
+double carter_slip(const Carter& c, double s);
+
+/// The heat flux v* p*, @eq:carter-heat.
+HeatFlux carter_flux(const Carter& c);
+
+/// The integral of v* p* over the contact, @eq:energy.
+double carter_heat(const Carter& c);
+
+/// Traction at a given creep xi* >= 0, @eq:creep-curve; throws std::invalid_argument.
+double carter_creep_curve(double friction, double creep);
+
+}  // namespace thermoroll

@@ -1,0 +1,117 @@
+// Tangled from paper/10-coupled-solver.md; edit there.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "thermoroll/admissibility.hpp"
+#include "thermoroll/carter.hpp"
+#include "thermoroll/heat_flux.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// The results of a coupled solution, in this order. Dimensionless.
+enum Quantity {
+  border,          ///< c0
+  slip_length,     ///< 1 - c0, to its own digits
+  traction,        ///< Q*
+  creep_constant,  ///< C of @eq:stick-conditions
+  creep,           ///< xi* = C - f gamma0
+  load_ratio,      ///< kappa
+  gamma0,          ///< gamma0 of @eq:pressure-conditions
+  heat,            ///< the integral of v* p*
+  hottest,         ///< the largest T*
+  hottest_at,      ///< where it is
+  quantities       ///< how many they are
+};
+using Values = Eigen::Array<double, quantities, 1>;
+
+/// What is prescribed beside f, Pe and H: traction, creep or border, and its value.
+struct Given {
+  Quantity quantity;
+  double value;
+};
+
+/// A solution of the coupled problem; dimensionless.
+struct CoupledSolution {
+  Values value;             ///< by Quantity
+  Values error;             ///< estimated absolute errors
+  int unknowns = 0;         ///< n, values of h on the last grid
+  int newton_steps = 0;     ///< on the last grid
+  Eigen::VectorXd h;        ///< n Legendre coefficients in y of h, @eq:h
+  double eccentricity = 0;  ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
+  std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
+};
+
+/// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
+Values scale_of(const Values& v);
+
+/// The quantities without heat, but for the temperature.
+Values carter_values(const Carter& c);
+
+/// Their derivatives with respect to one of traction, creep and border, to about a thousandth.
+Values carter_slope(const Carter& c, Quantity by);
+
+/// What rounding of the given quantity changes in the others, at most, each relative to its scale;
+/// slope holds their derivatives with respect to it.
+double rounding(const Given& given, const Values& slope, const Values& scale);
+
+/// Refuse, by std::invalid_argument, data out of range and a given quantity that is not traction,
+/// creep or border, or not in its range; scene.traction is not used.
+void check_given(Scene scene, const Given& given);
+
+/// Carter's closed form for what is given; std::invalid_argument where check_given refuses it, or
+/// the creep is one at which the whole contact slips.
+Carter carter_given(double friction, const Given& given);
+
+/// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
+/// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
+/// border, slip_length, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and
+/// hottest; that of hottest_at is the length of the slip zone times the root of it. Throws
+/// std::invalid_argument for data out of range or a creep at which the whole contact slips,
+/// std::runtime_error where no solution is found or the tolerance is not met.
+CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+                              const Given& given);
+
+/// The discrete problem h = sigma p-hat v-hat, p-hat = 2/pi + p h, v-hat = 2f/pi + v h, for the
+/// values h at the slip nodes s; sigma = 1 + s. Dimensionless; p, v, kappa are proportional to H.
+struct FluxMap {
+  double friction;
+  Eigen::VectorXd s, sigma;
+  Eigen::MatrixXd p, v;
+  Eigen::RowVectorXd kappa;  ///< the load ratio is 1 + kappa h
+};
+
+/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0; the
+/// traction of the scene is not used.
+FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
+
+/// The heat flux v* p* of a solution.
+HeatFlux coupled_flux(const CoupledSolution& x);
+
+/// What varies along the contact, at ascending s inside (-1, 1); dimensionless.
+struct Profile {
+  Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
+};
+
+/// The profiles of a solution of solve_coupled for the same scene and formulation, at the nodes of
+/// its last grid.
+Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x);
+
+/// What the tractions and the heat are made of, as Legendre coefficients: h and p-hat in y on the
+/// slip zone; p-hat and the bracket of @eq:corrective-inverse on the stick zone, in the x of its
+/// nodes. Dimensionless.
+struct SmoothTractions {
+  double slip, stick;  ///< lengths of both zones
+  Eigen::VectorXd h, pressure, stick_pressure, bracket;
+};
+
+/// Those of a solution of solve_coupled for the same scene and formulation, on a grid of n unknowns
+/// at its border; of a grid other than its own, those of the h solved for on that.
+SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
+                                 const CoupledSolution& x, int n);
+
+}  // namespace thermoroll

@@ -1,0 +1,85 @@
+// Tangled from paper/07-printed-scheme.md; edit there.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "thermoroll/admissibility.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// Gauss-Chebyshev nodes and weights of the second kind, @eq:nodes; t and s descend from 1 to -1.
+struct Grid {
+  Eigen::VectorXd t, w;  ///< n nodes and their weights
+  Eigen::VectorXd s;     ///< n + 1 collocation points
+};
+
+/// The quadrature of @eq:nodes with n >= 1 nodes.
+Grid gauss_chebyshev(int n);
+
+/// (1/pi) w_k / (t_k - s_m), row m, column k: applied to the factor of a traction it gives the
+/// principal value (1/pi) PV int p*(t) / (t - s) dt at the collocation points.
+Eigen::MatrixXd cauchy_matrix(const Grid& g);
+
+struct PrintedOptions {
+  int nodes = 200;               ///< n >= 3
+  double tolerance = 1e-6;       ///< relative, of v* and of the traction
+  double heaviside_at_zero = 0;  ///< the value of H(0) at a coincident node
+  int max_outer = 200;           ///< bound on the outer steps
+  int max_inner = 50;            ///< bound on the inner steps of each
+  int max_failures = 10;         ///< bound on the outer steps whose inner steps did not settle
+};
+
+/// One step of the inner iteration: a border and the traction found there.
+struct InnerStep {
+  double c0, traction;
+};
+
+/// What the scheme computes; dimensionless. The scheme has no error estimate.
+struct PrintedSolution {
+  Grid grid;
+  Eigen::VectorXd phi;        ///< factor of the pressure at t, @eq:factors
+  Eigen::VectorXd phi0;       ///< factor of the corrective traction at tau = t
+  Eigen::VectorXd slip;       ///< v* at t, zero in the stick zone
+  double c0 = 0;              ///< stick-slip border
+  double creep_constant = 0;  ///< C of @eq:discrete-stick
+  double creep = 0;           ///< xi*, @eq:true-creep
+  double load_ratio = 1;      ///< kappa = P_H / P
+  double gamma0 = 0;          ///< the constant of @eq:discrete-normal
+  int outer_iterations = 0;
+  int inner_iterations = 0;      ///< the largest count of any outer step
+  std::vector<InnerStep> steps;  ///< of all outer steps
+  bool converged = false;        ///< whether both iterations settled
+};
+
+/// Run the scheme. Throws std::invalid_argument for a scene or a node count out of range.
+PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
+                              const PrintedOptions& options = {});
+
+/// w_k v*(t_k) at the hot nodes, those with t_k > c0, zero at the others.
+Eigen::VectorXd hot_slip(const PrintedSolution& x);
+
+/// The heat g_k at each node, @eq:node-heat; their sum is the integral of v* p*.
+Eigen::VectorXd node_heat(const PrintedSolution& x);
+
+/// T*(s) by the paper's rule, @eq:printed-temperature; s must not be a hot node.
+double printed_temperature(const PrintedSolution& x, double peclet, double s);
+
+/// The largest temperature at the collocation points, and where.
+struct PrintedPeak {
+  double at;           ///< s
+  double temperature;  ///< T*
+};
+PrintedPeak printed_max_temperature(const PrintedSolution& x, double peclet);
+
+/// p*(s) and q*(s); zero outside [-1, 1]. Dimensionless (per P/a).
+double printed_pressure(const PrintedSolution& x, double s);
+double printed_traction(const PrintedSolution& x, double friction, double s);
+
+/// The factors of the tractions, for the conditions of @eq:admissible.
+Factors factors(const PrintedSolution& x, double friction);
+
+}  // namespace thermoroll

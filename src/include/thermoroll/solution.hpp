@@ -1,0 +1,140 @@
+// Tangled from paper/A-command-line.md; edit there.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "thermoroll/carter.hpp"
+#include "thermoroll/coupled.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/published_scheme.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// The least model that meets the tolerance; Carter's closed form without thermal deformation, its
+/// first order in the heating, the coupled solver; the published Gauss-Chebyshev scheme.
+enum class Method { automatic, closed_form, first_order, coupled, gauss_chebyshev };
+
+/// How a scene is to be solved.
+struct Approach {
+  Method method = Method::automatic;
+  Formulation formulation = Formulation::corrected;  ///< makes no difference to the closed form
+  int nodes = 200;                                   ///< of the scheme, 3 to 5000
+  double tolerance = 1e-6;                           ///< of all but the scheme, 1e-11 to 1e-2
+};
+
+/// What is reported of a solved scene; dimensionless.
+struct Results {
+  double traction;            ///< Q*
+  double stick_slip_border;   ///< c0
+  double creep_constant;      ///< the constant of @eq:stick as solved, xi* + f gamma0
+  double creep;               ///< xi*, @eq:true-creep
+  double load_ratio;          ///< kappa = P_H / P, @eq:kappa
+  double gamma0;              ///< the constant of @eq:discrete-normal
+  double eccentricity;        ///< pi gamma0 / (2 kappa), of the contact from the axis
+  double heat_integral;       ///< the integral of v* p*
+  double max_temperature;     ///< the largest T* on the surface
+  double max_temperature_at;  ///< s there
+};
+
+/// A scene, how it was solved, and what came out.
+struct Solution {
+  Scene scene;
+  Approach approach;
+  Results value;
+  std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
+  std::variant<Carter, PrintedSolution, CoupledSolution> found;
+  bool converged = true;
+  std::string model{}, reason{};        ///< the rung of @sec:ladder and why; empty for the scheme
+  std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one
+};
+
+/// Solve the scene for what is given (scene.traction is not used then), or for its traction.
+/// Throws std::invalid_argument for data out of range or a quantity that the method cannot start
+/// from, and std::runtime_error where the coupled solver finds no solution or an integral is not
+/// resolved; an iteration of the scheme that does not converge is told by `converged`.
+Solution solve(const Scene& scene, const Approach& approach, const Given& given);
+Solution solve(const Scene& scene, const Approach& approach = {});
+
+/// Largest values over the contact; dimensionless.
+struct Peaks {
+  double pressure;   ///< of p*
+  double traction;   ///< of q*
+  double heat_flux;  ///< of v* p*
+};
+
+/// Them and their estimated absolute errors, which the scheme does not have.
+struct FoundPeaks {
+  Peaks value;
+  std::optional<Peaks> error;
+};
+
+FoundPeaks peaks(const Solution& x);
+
+/// The peaks of tractions that are known as series.
+Peaks largest(const SmoothTractions& by, double friction);
+
+/// All profiles along the contact. Throws std::invalid_argument for the scheme.
+Profile profile(const Solution& x);
+
+/// What is reported of a case in SI units, beside the dimensionless results.
+struct PhysicalResults {
+  double half_width;               ///< a, m
+  double radius;                   ///< R of @eq:kappa, m
+  double creep_ratio;              ///< xi, the creep as a fraction of the speed
+  double hertz_pressure;           ///< 2 P / (pi a), Pa
+  double max_pressure;             ///< of p, Pa
+  double max_traction;             ///< of q, Pa
+  double max_heat_flux;            ///< of phi, W/m^2
+  double max_temperature_celsius;  ///< largest temperature rise, degree C
+};
+
+/// Them and their estimated absolute errors in the same units, which the scheme does not have.
+struct FoundInSi {
+  PhysicalResults value;
+  std::optional<PhysicalResults> error;
+};
+
+/// Results and peaks of a case in SI units; x solves scene_of(c, ...).
+/// The half-width of c is exact, or it is that of half_width_of_radius().
+FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius = false);
+
+/// An iteration did not converge.
+struct NotConverged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A solution violates @eq:admissible.
+struct NoContact : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws NotConverged unless x has converged, then NoContact unless it is one.
+void require_contact(const Solution& x);
+
+/// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
+/// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.
+double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
+                            const Approach& approach);
+
+/// T* at one point, with its estimated absolute error where the method has one.
+struct CurvePoint {
+  double s;
+  double temperature;
+  std::optional<double> error;
+};
+
+struct Curve {
+  std::vector<CurvePoint> points;
+  bool converged = true;
+};
+
+/// T* at the points s, at a depth in units of a (0 for the scheme). Throws std::invalid_argument,
+/// and std::runtime_error where an integral is not resolved.
+Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth);
+
+}  // namespace thermoroll

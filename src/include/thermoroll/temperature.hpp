@@ -1,0 +1,31 @@
+// Tangled from paper/09-temperature.md; edit there.
+#pragma once
+
+#include "thermoroll/heat_flux.hpp"
+#include "thermoroll/quadrature.hpp"
+
+namespace thermoroll {
+
+/// T*(s) at a depth (in units of a, 0 on the surface), @eq:temperature; dimensionless, per
+/// @eq:temperature-scale. peclet > 0, s finite, depth >= 0, else std::invalid_argument; relative
+/// error below 1e-9 for 1e-3 <= peclet <= 1e8, or std::runtime_error.
+Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth = 0);
+
+/// The hottest point of the surface.
+struct Peak {
+  double at;        ///< where, s
+  double at_error;  ///< estimated error of the position
+  Estimate temperature;
+};
+
+/// The largest T* on the surface. Errors as for temperature.
+Peak max_temperature(const HeatFlux& flux, double peclet);
+
+/// The integral of the flux, in units of v* p* times a length a.
+Estimate total_heat(const HeatFlux& flux);
+
+/// Heat of a contact with Hertz's pressure that slips everywhere alike, @eq:sliding; its total
+/// is heat >= 0.
+HeatFlux sliding_flux(double heat);
+
+}  // namespace thermoroll

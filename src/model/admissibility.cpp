@@ -1,0 +1,44 @@
+// Tangled from paper/13-where-methods-fail.md; edit there.
+#include "thermoroll/admissibility.hpp"
+
+#include <cmath>
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+namespace {
+
+/// Add an interval for each run of nodes where the condition is not positive, up to where it
+/// changes sign between two nodes, or to the end of the contact.
+void add(std::vector<Violation>& found, const char* what, const ArrayXd& s,
+         const ArrayXd& condition) {
+  const auto root = [&](Index i) {  // between nodes i and i + 1
+    const double share = condition(i) / (condition(i) - condition(i + 1));
+    return s(i) + (std::isfinite(share) ? share : 0) * (s(i + 1) - s(i));
+  };
+  const Index n = s.size();
+  for (Index i = 0, first = 0; i < n; ++i) {
+    const bool bad = !(condition(i) >= 0), more = i + 1 < n && !(condition(i + 1) >= 0);
+    if (bad && (i == 0 || condition(i - 1) >= 0)) first = i;
+    if (bad && !more)
+      found.push_back({what, first > 0 ? root(first - 1) : -1, i + 1 < n ? root(i) : 1});
+  }
+}
+
+}  // namespace
+
+std::vector<Violation> violations(const Factors& x) {
+  const ArrayXd stick = (x.border - x.s).max(0).sqrt();
+  const ArrayXd other_limit = 2 * x.friction * (1 - x.s).sqrt() * x.pressure - stick * x.slip;
+  std::vector<Violation> found;
+  add(found, "separation", x.s, x.pressure);
+  add(found, "backward slip", x.s, (x.s > x.border).select(x.slip, 1));
+  add(found, "traction above friction", x.s, (x.s < x.border).select(x.slip, 1));
+  add(found, "traction below -friction", x.s, (x.s < x.border).select(other_limit, 1));
+  if (!(x.load_ratio > 0)) found.push_back({"no load", -1, 1});
+  return found;
+}
+
+}  // namespace thermoroll

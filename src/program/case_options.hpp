@@ -1,0 +1,76 @@
+// Tangled from paper/A-command-line.md; edit there.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "thermoroll/scene.hpp"
+#include "thermoroll/solution.hpp"
+
+namespace CLI {  // named only, as CLI11 takes seconds to compile wherever it is included
+class App;
+class ParseError;
+class Validator;
+}  // namespace CLI
+
+namespace thermoroll {
+
+using Maybe = std::optional<double>;
+
+struct CaseOptions {
+  double friction = 0;
+  Maybe traction, creep, border;
+  Maybe peclet, heating;
+  Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
+  Maybe half_width, radius;
+  std::string method = "auto", formulation = "corrected";
+  std::optional<int> nodes;
+  Maybe tolerance;
+};
+
+/// Declare the options of a case, which CLI11 will write to o.
+void add_case_options(CLI::App& command, CaseOptions& o);
+
+/// Whether an option, named without its hyphens, stands for data in SI units.
+bool is_si_option(const std::string& name);
+
+/// What the options describe. In SI units, peclet and heating are not known yet, and half_width is
+/// not where there is a radius. Its traction counts only if that is given.
+struct Case {
+  Scene scene;
+  Given given;
+  Approach approach;
+  std::optional<PhysicalCase> physical;
+  Maybe radius;
+};
+
+/// The case that the options describe. Throws std::invalid_argument.
+Case read_case(const CaseOptions& o);
+
+/// A solution and, where the case was given in SI units, these units and the results in them.
+struct SolvedCase {
+  Solution solution;
+  std::optional<Units> units;
+  std::optional<FoundInSi> physical;
+};
+
+/// Solve a case; throws as solve() and half_width_of_radius() do.
+SolvedCase solve_case(const Case& c);
+
+/// The number that a text is as a whole, if it is finite.
+std::optional<double> to_number(const std::string& text);
+
+/// Validators for the texts of numbers and words, given to the option of this name. They throw
+/// std::invalid_argument.
+CLI::Validator finite_number(const std::string& name);
+CLI::Validator whole_number(const std::string& name);
+CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words);
+
+/// Words with a text between any two of them.
+std::string joined(const std::vector<std::string>& words, const std::string& between);
+
+/// One line for a mistake in the options of app.
+std::string reworded(const CLI::ParseError& error, const CLI::App& app);
+
+}  // namespace thermoroll

@@ -1,0 +1,381 @@
+// Tangled from paper/A-command-line.md; edit there.
+#include "program/command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "program/exit_status.hpp"
+#include "program/output.hpp"
+#include "program/sweep.hpp"
+#include "studies/claims.hpp"
+#include "studies/figure_data.hpp"
+#include "studies/timings.hpp"
+
+namespace thermoroll {
+namespace {
+
+constexpr double most_points = 1000000;
+
+[[noreturn]] void refuse_points(const std::string& text) {
+  throw std::invalid_argument("at = " + text +
+                              " is not allowed: it must be A:B:N with N from 2 to 1000000, "
+                              "numbers A,B,... or one number");
+}
+
+/// The point i/n of the way from a to b.
+double between(double a, double b, double i, double n) {
+  const double s = ((n - i) * a + i * b) / n;
+  return std::isfinite(s) ? s : a * (1 - i / n) + b * (i / n);
+}
+
+/// The text of a case file without its byte-order mark. Throws std::invalid_argument.
+std::string read_all(std::istream& in) {
+  constexpr std::size_t longest = 100000;
+  const std::string mark = "\xEF\xBB\xBF";
+  std::string text(longest + 1, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > longest)
+    throw std::invalid_argument("the case file has more than " + std::to_string(longest) +
+                                " bytes");
+  return text.substr(text.find(mark) == 0 ? mark.size() : 0);
+}
+
+CLI::Validator readable_file() {
+  return {[](const std::string& file) -> std::string {
+            std::error_code none;
+            if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none))
+              return "";
+            throw std::invalid_argument("cannot read the case file " + file);
+          },
+          ""};
+}
+
+bool is_key(const CLI::App& command, const std::string& name) {
+  return command.get_option_no_throw("--" + name) != nullptr && name != "output" &&
+         name != "profile" && name != "help";
+}
+
+/// Null if there is none of this name.
+const CLI::App* subcommand(const CLI::App& program, const std::string& name) {
+  for (const CLI::App* command : program.get_subcommands({}))
+    if (command->get_name() == name) return command;
+  return nullptr;
+}
+
+class CaseFile : public CLI::ConfigBase {
+ public:
+  explicit CaseFile(const CLI::App& program) : program_(program) {}
+
+  std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
+    std::istringstream text(read_all(in));
+    if (program_.get_subcommands().empty()) return {};  // which is refused next
+    const std::vector<std::string> here{program_.get_subcommands().front()->get_name()};
+    std::vector<CLI::ConfigItem> known;
+    std::set<std::string> seen;
+    for (CLI::ConfigItem& item : ConfigBase::from_config(text)) {
+      if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
+      if (item.parents.empty()) item.parents = here;
+      const CLI::App* command =
+          item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
+      if (command == nullptr || !is_key(*command, item.name))
+        throw std::invalid_argument("the case file sets what is no option for it: " +
+                                    (item.parents == here ? item.name : item.fullname()));
+      if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
+        throw std::invalid_argument("the case file gives " + item.name + " more than once");
+      known.push_back(item);
+    }
+    return known;
+  }
+
+ private:
+  const CLI::App& program_;
+};
+
+Format read_format(const std::string& name) {
+  return name == "json" ? Format::json : name == "csv" ? Format::csv : Format::text;
+}
+
+void say_what_is_unused(const CaseOptions& o) {
+  const bool scheme = o.method == "gauss-chebyshev";
+  if (scheme ? o.tolerance.has_value() : o.nodes.has_value())
+    std::fprintf(stderr, "thermoroll: note: %s makes no difference to --method %s\n",
+                 scheme ? "--tolerance" : "--nodes", o.method.c_str());
+}
+
+void conclude(const Solution& x, const CaseOptions& o) {
+  require_contact(x);
+  say_what_is_unused(o);
+  if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
+  const double apart = x.scene.peclet * pi / x.approach.nodes;
+  if (x.approach.method == Method::gauss_chebyshev && apart > 1)
+    std::fprintf(stderr,
+                 "thermoroll: note: the nodes are %.3g kernel widths apart: load_ratio, gamma0 and "
+                 "max_temperature are not resolved (see --method coupled)\n",
+                 apart);
+  if (x.approach.formulation == Formulation::printed)
+    std::fprintf(stderr,
+                 "thermoroll: note: thermal slope with the sign as printed (see --formulation "
+                 "corrected)\n");
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path place = fs::weakly_canonical(fs::absolute(a), none);
+  return a == b || (!place.empty() && place == fs::weakly_canonical(fs::absolute(b), none));
+}
+
+void run_solve(const Options& o) {
+  if (o.profile == "-")
+    throw std::invalid_argument("profile = - is not allowed: it must be a file, beside the result");
+  if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
+    throw std::invalid_argument("--profile and --output are the same file, " + o.output);
+  const auto [x, units, physical] = solve_case(read_case(o.of_case));
+  std::vector<Answer> answers{{present(x, physical, read_format(o.format)), o.output}};
+  if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
+  deliver(answers);
+  conclude(x, o.of_case);
+}
+
+void run_sweep(const Options& o) {
+  const unsigned processors = std::thread::hardware_concurrency();  // 0 if unknown
+  const int jobs = o.jobs.value_or(std::max(1, static_cast<int>(processors)));
+  require(1 <= jobs && jobs <= 1024, "jobs", jobs, "from 1 to 1024");
+  const bool to_terminal = isatty(STDERR_FILENO) != 0;
+  const SweepCount rows = sweep(STDIN_FILENO, jobs, to_terminal && isatty(STDOUT_FILENO) == 0);
+  if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
+  if (rows.failed > 0)
+    throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
+                     " rows have an error: see their columns status and error");
+}
+
+void run_temperature(const Options& o) {
+  const std::vector<double> at = read_points(o.at);
+  const auto [x, units, physical] = solve_case(read_case(o.of_case));
+  deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
+  conclude(x, o.of_case);
+}
+
+void run_figure_data(const Options& o) {
+  if (o.list == !o.name.empty())
+    throw std::invalid_argument("figure-data needs either a NAME or --list");
+  const bool timed = !o.times.empty();
+  const std::vector<std::string> names = timed ? timed_data_names() : figure_data_names();
+  if (o.list) return deliver({{joined(names, "\n") + '\n', o.output}});
+  if (std::find(names.begin(), names.end(), o.name) == names.end())
+    throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
+                                joined(names, ", "));
+  std::ostringstream out;
+  if (timed)
+    write_timed_data(o.name, read_times(o.times), out);
+  else
+    write_figure_data(o.name, out);
+  deliver({{out.str(), o.output}});
+}
+
+void run_claims(const Options& o) {
+  deliver({{present(claims(), read_format(o.format)), o.output}});
+}
+
+constexpr const char* solve_examples = R"(Examples:
+  thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
+  thermoroll solve --friction 0.6 --creep 0.2 --peclet 100 --heating 1 --tolerance 1e-9 \
+    --format json --profile profile.csv
+  thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --method closed-form --format json
+  thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+  thermoroll solve --config wheel.toml --traction 0.4
+
+The last reads the case from a file of lines such as "friction = 0.6" (TOML or INI).
+Methods: auto takes the least of the next three that meets the tolerance; coupled solves tractions
+and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
+what the heat does to the tractions, and asked for by name does not count that in its errors;
+gauss-chebyshev is the published scheme and has no error estimate.
+Temperatures in degree C are rises above ambient.)";
+
+constexpr const char* sweep_examples = R"(Examples:
+  thermoroll sweep <scenes.csv >results.csv
+  thermoroll sweep --jobs 1 <scenes.csv | cut -d, -f1-12
+
+The first row of scenes.csv names the columns: long options of solve, without the dashes, in any
+order. An empty cell leaves its option out. The results have the same rows in the same order: the
+columns given, those of solve --format csv that are not among them, then status and error, which
+say what solve would have said of the row. Where a result has the name of a column that was given,
+it fills the cells that were left empty.)";
+
+constexpr const char* temperature_examples = R"(Examples:
+  thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
+  thermoroll temperature --friction 0.6 --traction 0.5 --peclet 100 --at 0,0.5,1 --depth 0.1
+  thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
+
+The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
+units) and error_estimate (of T*, absolute; empty for gauss-chebyshev).)";
+
+constexpr const char* figure_data_examples = R"(Examples:
+  thermoroll figure-data --list
+  thermoroll figure-data traction --output traction.csv
+  thermoroll figure-data --list --times times.json)";
+
+constexpr const char* claims_examples = R"(Examples:
+  thermoroll claims
+  thermoroll claims --format csv --output claims.csv)";
+
+constexpr const char* program_footer = R"(Examples:
+  thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
+  thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
+  thermoroll sweep <scenes.csv >results.csv
+  thermoroll solve --help
+
+Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not be written);
+2 refused (options, numbers or files that make no sense); 3 an iteration did not converge;
+4 a sweep is complete, but some of its rows have an error; 5 a solution was found, but it is no
+contact: what it violates, and where, is in the result.)";
+
+void add_format(CLI::App& command, Options& o) {
+  command.add_option("--format", o.format, "format of the result, text unless given")
+      ->type_name("text|json|csv")
+      ->check(one_of("format", {"text", "json", "csv"}));
+}
+
+void add_output(CLI::App& command, Options& o) {
+  command.add_option("--output", o.output, "write to this file, all or nothing")->type_name("FILE");
+  command.add_flag("--verbose", o.verbose, "tell the time taken on standard error");
+}
+
+void add_solve(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("solve", "Solve one case and print the result");
+  add_case_options(command, o.of_case);
+  add_format(command, o);
+  command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
+      ->type_name("FILE");
+  add_output(command, o);
+}
+
+void add_sweep(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("sweep", "Solve a table of cases, row by row");
+  command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number("jobs"));
+  command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
+}
+
+void add_temperature(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
+  add_case_options(command, o.of_case);
+  command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
+      ->type_name("POINTS")
+      ->required();
+  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
+      ->type_name("NUMBER")
+      ->check(finite_number("depth"));
+  add_output(command, o);
+}
+
+void add_figure_data(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("figure-data", "Write the data of a figure or table of the report");
+  command.add_option("NAME", o.name, "which data")->type_name("");
+  command.add_flag("--list", o.list, "print the names that there are, in place of data");
+  command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
+      ->type_name("FILE");
+  add_output(command, o);
+}
+
+void add_claims(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("claims", "Print the paper's statements beside what was found");
+  add_format(command, o);
+  add_output(command, o);
+}
+
+std::string help(const CLI::App& program) {
+  static const std::map<std::string, const char*> examples{{"solve", solve_examples},
+                                                           {"sweep", sweep_examples},
+                                                           {"temperature", temperature_examples},
+                                                           {"figure-data", figure_data_examples},
+                                                           {"claims", claims_examples}};
+  const auto commands = program.get_subcommands();
+  const char* footer = commands.empty() ? program_footer : examples.at(commands[0]->get_name());
+  std::string text = program.help() + '\n' + footer + '\n';
+  for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+  return text;
+}
+
+}  // namespace
+
+std::vector<double> read_points(const std::string& text) {
+  const bool grid = text.find(':') != std::string::npos;
+  std::vector<double> parts;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(grid ? ':' : ',', begin);
+    const std::optional<double> part = to_number(text.substr(begin, end - begin));
+    if (!part) refuse_points(text);
+    parts.push_back(*part);
+  }
+  if (!grid) return parts;
+  if (parts.size() != 3) refuse_points(text);
+  const double n = parts[2];
+  if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(text);
+  std::vector<double> points(static_cast<std::size_t>(n));
+  double i = 0;
+  for (double& s : points) s = between(parts[0], parts[1], i++, n - 1);
+  return points;
+}
+
+Command read_command(const std::vector<std::string>& arguments) {
+  Command c;
+  CLI::App program("Rolling contact of a cylinder with frictional heating", "thermoroll");
+  program.set_version_flag("--version", "thermoroll " THERMOROLL_VERSION, "print the version");
+  program.set_config("--config", "", "read a case from this file (TOML or INI)")
+      ->type_name("FILE")
+      ->check(readable_file());
+  program.config_formatter(std::make_shared<CaseFile>(program));
+  program.allow_config_extras(CLI::config_extras_mode::error);
+  program.require_subcommand(1)->fallthrough();
+  for (const auto add : {add_solve, add_sweep, add_temperature, add_figure_data, add_claims})
+    add(program, c.options);
+  try {
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    c.subcommand = program.get_subcommands().front()->get_name();
+  } catch (const CLI::CallForHelp&) {
+    c.text = help(program);
+  } catch (const CLI::CallForVersion& version) {
+    c.text = version.what() + std::string("\n");
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(reworded(error, program));
+  }
+  return c;
+}
+
+void run(const Command& c) {
+  if (c.subcommand.empty()) return deliver({{c.text, ""}});
+  static const std::map<std::string, void (*)(const Options&)> runs{
+      {"solve", run_solve},
+      {"sweep", run_sweep},
+      {"temperature", run_temperature},
+      {"figure-data", run_figure_data},
+      {"claims", run_claims}};
+  const auto start = std::chrono::steady_clock::now();
+  runs.at(c.subcommand)(c.options);
+  if (c.options.verbose) {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    std::fprintf(stderr, "thermoroll: %.3g s\n", taken.count());
+  }
+}
+
+}  // namespace thermoroll

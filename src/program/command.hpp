@@ -1,0 +1,39 @@
+// Tangled from paper/A-command-line.md; edit there.
+#pragma once
+
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/case_options.hpp"
+
+namespace thermoroll {
+
+/// What the subcommands are told.
+struct Options {
+  CaseOptions of_case;
+  std::string at, name, times, format = "text", output, profile;
+  double depth = 0;
+  std::optional<int> jobs;
+  bool list = false, verbose = false;
+};
+
+/// What a command line asks for: a subcommand with its options or, where that is empty, a text.
+struct Command {
+  std::string subcommand;
+  Options options;
+  std::string text;
+};
+
+/// Read a command line, without the program's name, and the case file that it names. Throws
+/// std::invalid_argument.
+Command read_command(const std::vector<std::string>& arguments);
+
+/// Do what a command line asks for, answers and notes included. Throws std::exception.
+void run(const Command& c);
+
+/// The points that a text describes, "A:B:N" or "A,B,...". Throws std::invalid_argument.
+std::vector<double> read_points(const std::string& text);
+
+}  // namespace thermoroll

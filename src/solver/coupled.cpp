@@ -1,0 +1,383 @@
+// Tangled from paper/10-coupled-solver.md; edit there.
+#include "thermoroll/coupled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "solver/contact_grid.hpp"
+#include "support/number_text.hpp"
+#include "thermoroll/carter.hpp"
+
+namespace thermoroll {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::Infinity;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Solve @eq:h at the given share of the heating from the start h; the number of steps, 0 if it
+/// fails.
+int newton(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double friction, double share,
+           VectorXd& h) {
+  Eigen::PartialPivLU<MatrixXd> jacobian;
+  double moved = 1;
+  for (int step = 1; step <= 25; ++step) {
+    const ArrayXd p = share * (x.p * h).array() + 2 / pi;
+    const ArrayXd v = share * (x.v * h).array() + 2 * friction / pi;
+    if (moved > 1e-3)
+      jacobian.compute(rule.p - share * (sigma * v).matrix().asDiagonal() * x.p -
+                       share * (sigma * p).matrix().asDiagonal() * x.v);
+    const VectorXd change = jacobian.solve(rule.p * h - (sigma * p * v).matrix());
+    h -= change;
+    moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
+    if (!std::isfinite(moved)) return 0;
+    if (moved < 1e-10) return step;  // what is left is at most a thousandth of it
+  }
+  return 0;
+}
+
+/// Solve by Newton's method from h or, should that be no contact, led up in heating from Carter's
+/// h; steps at the full heating, 0 if it fails.
+int solve_flux(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double friction,
+               const VectorXd& carter, VectorXd& h) {
+  const auto solve = [&](double share, VectorXd& at) {
+    return newton(x, rule, sigma, friction, share, at);
+  };
+  const auto slips = [&](double share, const VectorXd& at) {
+    return share * (x.v * at).minCoeff() > -2 * friction / pi;
+  };
+  const int direct = solve(1, h);
+  if (direct > 0 && slips(1, h)) return direct;
+  VectorXd led = carter;
+  for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
+    const double next = std::min(1.0, share * growth);
+    VectorXd trial = led;
+    const int steps = solve(next, trial);
+    if (steps > 0 && slips(next, trial)) {
+      led = trial, share = next;
+      if (share == 1) return h = led, steps;
+    } else {
+      growth = std::sqrt(growth);
+    }
+  }
+  return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
+}
+
+struct Level {
+  Border at;
+  Values value;
+  VectorXd h;                         // Legendre coefficients; none before the first grid
+  Summit summit;                      // the hottest point
+  int newton_steps = 0;               // 0 where Newton failed
+  std::vector<Violation> violations;  // where it is no contact
+};
+
+Level solve_level(const Scene& scene, Formulation formulation, int n, const Border& at,
+                  const Level& from) {
+  const Rules rules(n, at, scene.peclet);
+  const Zones z = zones(at, rules.slip, rules.stick);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
+  const Inverses x = invert(z, sides, scene.friction);
+  const double f = scene.friction;
+  const ArrayXd sigma = at.stick + at.slip * z.t;  // 1 + s
+  const VectorXd carter = to_legendre(rules.slip) * (4 * f / (pi * pi) * sigma).matrix();
+  Level level;
+  level.at = at, level.h = carter;
+  if (from.newton_steps > 0) level.h.setZero(), level.h.head(from.h.size()) = from.h;
+  level.newton_steps = solve_flux(x, rules.slip, sigma, f, carter, level.h);
+  const VectorXd& h = level.h;
+  const Loads load = loads(z, sides, x, f, h);
+  const Summit& summit = level.summit = climb(at.slip, scene.peclet, h, from.summit, rules.fine);
+  const Place top(1 + summit.y, 1 - summit.y);
+  const double heat = at.slip * at.slip * z.heat.dot(rules.slip.p * h);
+  level.value << at.c0(), at.slip, load.traction, load.constant, load.constant - f * load.gamma0,
+      load.kappa, load.gamma0, heat, summit.value, at.c0() + at.slip * top.t();
+  level.violations = violations(factors(rules, z, sides, x, f, h));
+  if (!level.value.allFinite()) level.newton_steps = 0;  // at speeds beyond all measure
+  return level;
+}
+
+/// The border moved towards s = 1; the shorter zone keeps its digits.
+Border moved_by(const Border& x, double step) {
+  const double slip = x.slip - step, stick = x.stick + step;
+  return slip < stick ? Border{slip, 2 - slip} : Border{2 - stick, stick};
+}
+
+/// What a solution misses of what is given; a border is measured from the nearer end.
+double missing(const Level& x, const Given& given) {
+  if (given.quantity != border) return given.value - x.value(given.quantity);
+  return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
+}
+
+/// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
+/// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
+/// no solution is found.
+Level find_border(const Scene& scene, Formulation formulation, int n, const Given& given,
+                  Level level, Values& slope) {
+  Border at = level.at;
+  for (int k = 0, failed = 0; k < 30; ++k) {
+    const Level last = level;
+    level = solve_level(scene, formulation, n, at, last);
+    if (level.newton_steps == 0) {
+      if (k == 0 || ++failed == 8) break;
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2}, level = last;
+      continue;
+    }
+    const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
+    if (moved != 0) slope = (level.value - last.value) / moved;
+    const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
+    double step = slope(border) * missing(level, given);
+    if (k > 0 && std::abs(step) <= near) return level;
+    if (std::abs(step) < near) step = near;             // a second border, for the derivative
+    if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
+    at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
+  }
+  level.newton_steps = 0;
+  return level;
+}
+
+/// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
+double unresolved(double tail, int n, bool slow) {
+  const double part = (n < 30 ? 20.0 : 10.0) / n / n;
+  const bool early = n <= 100 && (slow || n >= 30);
+  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
+  const double layer = tail > large ? std::min(1e3 * tail, 1.0) : 0;
+  return tail * std::max(part, layer);
+}
+
+/// Strong heating, or a zone of less than a twentieth of the contact.
+bool converges_slowly(const Scene& scene, const Border& at) {
+  return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
+}
+
+/// How much of a change since the last grid is believed to be the error of this one of n unknowns.
+double part_of_change(int n, bool slow) {
+  if (n > 200) return 0.05;
+  if (slow) return n < 30 ? 3 : 1;
+  return 0.2;
+}
+
+/// Size of the last quarter of the coefficients, relative to the largest.
+double tail(const VectorXd& h) {
+  return h.tail(h.size() / 4).lpNorm<Infinity>() / h.lpNorm<Infinity>();
+}
+
+/// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
+/// the tail now and before, and the change since the last grid; slow where convergence is.
+double estimate(const Values& change, double now, double before, int n, bool slow) {
+  double integrals = 0;
+  for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
+  const double size = n, part = part_of_change(n, slow);
+  const double shrunk = std::clamp(now / before, part / 4, part);
+  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(hottest)}) +
+         4 * std::pow(24 + size, -6) + 1e-14 * size;
+}
+
+bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.what == y.what; });
+}
+
+/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
+Level next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
+  const auto with = [&](double stick, const Level& from) {
+    return solve_level(scene, formulation, n, {2 - stick, stick}, from);
+  };
+  Level level = with(1e-6, {});
+  if (level.newton_steps > 0) return level;
+  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    level = with(stick, level);
+  return level;
+}
+
+/// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
+void check_slips_in_part(const Scene& scene, Formulation formulation, int n, double given) {
+  const Level full = next_to_full_slip(scene, formulation, std::max(40, n));
+  const double most = full.value(creep);
+  if (full.newton_steps > 0)
+    require(given < most, "creep", given,
+            "below " + shortest(most) + ", where the whole contact slips");
+}
+
+}  // namespace
+
+Values scale_of(const Values& v) {
+  Values scale = Values::Ones();
+  for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
+  return scale;
+}
+
+Values carter_values(const Carter& c) {
+  const double q = c.friction * c.slip_half_width * (1 + c.b);
+  Values values;
+  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
+  return values;
+}
+
+Values carter_slope(const Carter& c, Quantity by) {
+  const double step = 1e-3 * std::min(c.b, c.slip_half_width), half = c.slip_half_width - step;
+  const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
+  const Values change = carter_values(moved) - carter_values(c);
+  return change / change(by);
+}
+
+double rounding(const Given& given, const Values& slope, const Values& scale) {
+  if (given.quantity == border) return 0;  // both lengths are exact
+  return 1e-15 * (given.value * slope / scale).head(hottest + 1).abs().maxCoeff();
+}
+
+FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
+  const Border at{1 - c0, 1 + c0};
+  const Rules rules(n, at);
+  const Zones z = zones(at, rules.slip, rules.stick);
+  const Inverses x = invert(z, thermal_sides(scene, formulation, z, n, rules.ray), scene.friction);
+  const MatrixXd to = to_legendre(rules.slip);
+  return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
+}
+
+void check_given(Scene scene, const Given& given) {
+  const std::string no_braking = " (braking is not modelled)";
+  const double x = given.value;
+  const bool by_traction = given.quantity == traction;
+  scene.traction = by_traction && x > 0 ? x : scene.friction / 2;  // the latter passes the check
+  check(scene);
+  require(by_traction || given.quantity == creep || given.quantity == border, "given quantity",
+          given.quantity, "traction, creep or border");
+  if (by_traction) require(x > 0, "traction", x, "above 0 and below the friction" + no_braking);
+  if (given.quantity == creep) require(x > 0, "creep", x, "positive" + no_braking);
+  if (given.quantity == border)
+    require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
+}
+
+Carter carter_given(double friction, const Given& given) {
+  check_given({friction, friction / 2, 1, 0}, given);
+  if (given.quantity == traction) return carter(friction, given.value);
+  const bool by_border = given.quantity == border;
+  const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
+  require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
+  const double b = by_border ? (1 + given.value) / 2 : 1 - half;
+  return {friction, b, half, b - half, 2 * friction / pi * half};
+}
+
+CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+                              const Given& given) {
+  check_given(scene, given);
+  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+  const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
+  const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
+  Given near = given;  // a creep beyond Carter's starts close to full slip
+  if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
+  const Carter cold = carter_given(scene.friction, near);
+  Values slope = carter_slope(cold, given.quantity);
+  Level level, tried;
+  level.at = {2 * cold.slip_half_width, 2 * cold.b};
+  for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
+       n *= 2) {
+    Values better = slope;
+    tried = find_border(scene, formulation, n, given, level, better);
+    if (tried.newton_steps > 0) level = tried, slope = better;
+    if (tried.newton_steps == 0 && given.quantity == creep)
+      check_slips_in_part(scene, formulation, n, given.value);
+  }
+  if (level.newton_steps == 0)
+    throw std::runtime_error("coupled: no solution found near the border " +
+                             shortest(tried.at.c0()));
+  const auto corrected = [&] {
+    Values met = level.value + slope * missing(level, given);
+    met(given.quantity) = given.value;
+    return met;
+  };
+  Values value = corrected(), change = Values::Zero();
+  double best = 1;
+  int stalled = 0;  // grids in a row that have gained little
+  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
+  for (;; n = std::min(2 * n, most_unknowns)) {
+    const Level last = level;
+    const double step = slope(border) * missing(last, given);
+    level = solve_level(scene, formulation, n, moved_by(last.at, step), last);
+    if (level.newton_steps > 0) {
+      const Values before = value, scale = scale_of(level.value);
+      value = corrected();
+      const Values moved = (value - before).abs().max((value - level.value).abs());
+      const bool slow = converges_slowly(scene, level.at);
+      change = (moved / scale).max((slow ? 0.004 : 0.02) * change);
+      const double error =
+          estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
+      CoupledSolution x{value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
+      x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
+      x.error(hottest_at) = level.at.slip * std::sqrt(error);  // the maximum is flat
+      if (error <= tolerance && same_kinds(level.violations, last.violations)) return x;
+      stalled = n > 64 && error > 0.5 * best && error > 100 * tolerance ? stalled + 1 : 0;
+      if (stalled == 2) break;  // it gets nowhere
+      best = error;
+    } else {
+      level = last;
+    }
+    if (n == most_unknowns) break;
+  }
+  throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
+                           std::to_string(n) + " unknowns");
+}
+
+HeatFlux coupled_flux(const CoupledSolution& x) {
+  return {x.value(border), 1, [h = x.h, slip = x.value(slip_length)](double left, double right) {
+            const double eta = distance_of_share(std::min({left, right, slip / 2}) / slip);
+            const ArrayXd y = ArrayXd::Constant(1, left < right ? eta - 1 : 1 - eta);
+            return std::sqrt(left * right) * (legendre(y, h.size()) * h)(0);
+          }};
+}
+
+Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x) {
+  const double slip = x.value(slip_length);
+  const Border border_found{slip, 1 + x.value(border)};
+  const Rules rules(x.unknowns, border_found, scene.peclet);
+  const Zones z = zones(border_found, rules.slip, rules.stick);
+  const Index n = z.y.size(), m = z.d.size();
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
+  const Inverses inverses = invert(z, sides, scene.friction);
+  const Factors at = factors(rules, z, sides, inverses, scene.friction, x.h);
+  ArrayXd right(m + n);  // 1 - s, with its digits
+  right << slip + z.d.reverse(), slip * (1 - z.t);
+  Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, at.s};
+  profile.traction = scene.friction * profile.pressure;
+  profile.traction.head(m) -= ((2 - right.head(m)) * z.d.reverse()).sqrt() * at.slip.head(m);
+  profile.heat_flux = profile.slip = ArrayXd::Zero(m + n);
+  profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (rules.slip.p * x.h).array();
+  profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
+  for (Index i = 0; i < m + n; ++i) {
+    const bool slips = i >= m;
+    const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
+    profile.temperature(i) = warmth(slip, scene.peclet, x.h, left, 2 - left, gap, rules.fine).value;
+  }
+  return profile;
+}
+
+SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
+                                 const CoupledSolution& x, int n) {
+  const Border at{x.value(slip_length), 1 + x.value(border)};
+  const Rules rules(n, at, scene.peclet);
+  const Zones z = zones(at, rules.slip, rules.stick);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
+  const Inverses inverses = invert(z, sides, scene.friction);
+  VectorXd h = VectorXd::Zero(n);
+  const Index known = std::min(h.size(), x.h.size());
+  h.head(known) = x.h.head(known);
+  if (n != x.unknowns) newton(inverses, rules.slip, at.stick + at.slip * z.t, scene.friction, 1, h);
+  const Factors found = factors(rules, z, sides, inverses, scene.friction, h);
+  const Index m = z.d.size();
+  const VectorXd stick_pressure = found.pressure.head(m).reverse();
+  const VectorXd bracket = found.slip.head(m).reverse();
+  const MatrixXd to_stick = to_legendre(rules.stick);
+  SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
+  y.pressure = to_legendre(rules.slip) * found.pressure.tail(n).matrix();
+  return y;
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,196 @@
+// Tangled from paper/14-least-model.md; edit there.
+#include "solver/least_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "solver/contact_grid.hpp"
+#include "support/number_text.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::VectorXd;
+
+namespace {
+
+Border border_of(const Carter& c) { return {2 * c.slip_half_width, 2 * c.b}; }
+
+/// The limit @eq:fast-limit: y of the top, T* sqrt(Pe) / (f slip^1.5) there and its curvature, as
+/// Legendre series in 2 ell - 1.
+struct FastLimit {
+  FastLimit() : y(20), value(20), bend(20) {
+    const Rule& rule = gauss_legendre(20);
+    for (Eigen::Index i = 0; i < 20; ++i) {
+      const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
+      const Border at{slip, 2 - slip};
+      const Summit top = climb(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
+      y(i) = top.y, value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
+      bend(i) = top.bend;
+    }
+    for (VectorXd* series : {&y, &value, &bend}) *series = to_legendre(rule) * *series;
+  }
+  VectorXd y, value, bend;
+};
+
+Summit fast_limit(const Border& at, double friction, double peclet) {
+  static const FastLimit limit;
+  const Eigen::RowVectorXd p = legendre(ArrayXd::Constant(1, at.slip - 1), 20).row(0);
+  const double unit = friction * std::pow(at.slip, 1.5) / std::sqrt(peclet);
+  return {p.dot(limit.y), unit * p.dot(limit.value), p.dot(limit.bend)};
+}
+
+const Rule& rays_for(double tolerance, double lambda) {
+  const double digits = std::ceil(-std::log10(tolerance));
+  return taken_by(8, 8 + static_cast<int>(std::ceil(7 * digits + 3 * decades_beyond(lambda))));
+}
+
+/// The hottest point for Carter's heat, to a tenth of the tolerance.
+Summit hottest_of_carter(const Border& at, double friction, double peclet, double tolerance) {
+  const double lambda = at.slip * peclet;
+  const Summit fast = fast_limit(at, friction, peclet);
+  if (1.3 / (lambda * lambda) < tolerance / 10) return fast;
+  return climb(at.slip, peclet, carter_h(at, friction), fast, rays_for(tolerance, lambda));
+}
+
+bool sticks_without_heat(double friction, const Given& given) {
+  const double x = given.value, in_creep = given.quantity == creep ? pi / 2 : 1;
+  return given.quantity == border || (0 < x && in_creep * x < friction);
+}
+
+/// What Carter's heat does to Carter's solution.
+struct Correction {
+  Carter carter;                      // without the heat that is added here
+  VectorXd h;                         // its values of h at the nodes
+  Values value, cold;                 // all but the temperature, with heat and without
+  double most, mean;                  // relative change of the flux, at any node and over the heat
+  std::vector<Violation> violations;  // at the old border
+};
+
+Correction correct(const Scene& scene, Formulation formulation, const Given& given, int least) {
+  const double f = scene.friction;
+  const Carter cold = carter_given(f, given);
+  const Border before = border_of(cold);
+  const double narrow = decades_shorter(before);
+  const double fast = std::max(0.0, std::log10(before.slip * scene.peclet) - 6);
+  const double extreme = std::max(0.0, narrow - 3);
+  const Rules rules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
+  const Zones z = zones(before, rules.slip, rules.stick);
+  const VectorXd h0 = carter_h(z.border, f);
+  const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), rules.ray);
+  const Inverses inverses = invert(z, sides, f);
+  const Loads load = loads(z, sides, inverses, f, h0);
+  Values change = Values::Zero();
+  change(traction) = load.traction - carter_values(cold)(traction);
+  change(creep_constant) = load.constant - cold.creep;
+  change(creep) = change(creep_constant) - f * load.gamma0;
+  change(load_ratio) = load.kappa - 1, change(gamma0) = load.gamma0;
+  const Given without{given.quantity, given.value - change(given.quantity)};
+  const bool near = sticks_without_heat(f, without);
+  const Carter c = near ? carter_given(f, without) : cold;
+  const double unit = 4 * f / (pi * pi);  // h = unit sigma without heat
+  const ArrayXd sigma = z.border.stick + z.border.slip * z.t, flat = unit * sigma;
+  const ArrayXd p = 2 / pi + (inverses.p * h0).array(), v = 2 * f / pi + (inverses.v * h0).array();
+  const ArrayXd gained = sigma * p * v - flat;
+  Correction x;
+  const Border at = border_of(c);
+  x.h = unit * (at.stick + at.slip * z.t) + gained;
+  change(heat) = at.slip * at.slip * z.heat.dot(gained.matrix());
+  x.most = gained.abs().maxCoeff() / flat.maxCoeff();
+  x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
+  x.violations = violations(factors(rules, z, sides, inverses, f, h0));
+  if (!near) x.most = x.mean = std::numeric_limits<double>::infinity();
+  x.carter = c, x.cold = carter_values(cold), x.value = carter_values(c) + change;
+  return x;
+}
+
+double largest_change(const Correction& x) {
+  const Values change = (x.value - x.cold).abs() / scale_of(x.cold);
+  return std::max(change.head(heat + 1).maxCoeff(), x.mean);
+}
+
+CoupledSolution rung(const VectorXd& h, const Values& value, const Carter& c, const Summit& top,
+                     double error, const Given& given) {
+  const Border at = border_of(c);
+  CoupledSolution x;
+  x.h = h, x.value = value, x.unknowns = static_cast<int>(h.size());
+  x.value(hottest) = top.value;
+  x.value(hottest_at) = at.c0() + at.slip * Place(1 + top.y, 1 - top.y).t();
+  x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
+  const Values scale = scale_of(x.value);
+  const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
+  x.error = all * scale, x.error(hottest_at) = at.slip * std::sqrt(all);
+  x.value(given.quantity) = given.value;
+  return x;
+}
+
+std::string brief(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", x);
+  return text;
+}
+
+}  // namespace
+
+double expected_change(const Scene& scene, const Carter& c) {
+  const double half = c.slip_half_width, own_peclet = 2 * half * scene.peclet;
+  return scene.friction * scene.heating * std::min(std::sqrt(half), own_peclet);
+}
+
+double largest_difference(const Values& x, const Values& exact) {
+  return ((x - exact).abs() / scale_of(exact)).head(hottest + 1).maxCoeff();
+}
+
+CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given) {
+  const Carter c = carter_given(scene.friction, given);
+  const Border at = border_of(c);
+  const Summit top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
+  const bool hot = scene.heating > 0;
+  const double left_out = hot ? largest_change(correct(scene, formulation, given, 6)) : 0;
+  const double error = 1.5 * left_out + 0.1 * tolerance;
+  return rung(carter_h(at, scene.friction), carter_values(c), c, top, error, given);
+}
+
+CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given) {
+  const Correction x = correct(scene, formulation, given, 16);
+  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
+  const Border at = border_of(x.carter);
+  const Summit near = fast_limit(at, scene.friction, scene.peclet);
+  const Rule& rays = rays_for(tolerance, at.slip * scene.peclet);
+  const Summit top = climb(at.slip, scene.peclet, h, near, rays);
+  const double r = std::max(largest_change(x), x.most);
+  const double later = r < 1 ? r * r / (1 - r) : std::numeric_limits<double>::infinity();
+  const double error = 2 * later + 2e-3 * r + 0.1 * tolerance;
+  CoupledSolution solution = rung(h, x.value, x.carter, top, error, given);
+  solution.violations = x.violations;
+  return solution;
+}
+
+Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
+                   const Given& given) {
+  check_given(scene, given);
+  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+  const double guess = sticks_without_heat(scene.friction, given)
+                           ? expected_change(scene, carter_given(scene.friction, given)) / 4
+                           : 1;  // no closed form to start from
+  if (guess < tolerance) {
+    CoupledSolution x = closed_form(scene, formulation, tolerance, given);
+    const double left = x.error(load_ratio);
+    if (left <= tolerance)
+      return {Model::closed_form, "heat changes no result by more than " + brief(left), x};
+  }
+  if (guess * guess < tolerance) {
+    CoupledSolution x = first_order(scene, formulation, tolerance, given);
+    const double left = x.error(load_ratio);
+    if (left <= tolerance && x.violations.empty())
+      return {Model::first_order, "the second order of heat is below " + brief(left), x};
+  }
+  return {Model::coupled, "heat acts on the heat by more than " + brief(tolerance),
+          solve_coupled(scene, formulation, tolerance, given)};
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,41 @@
+// Tangled from paper/14-least-model.md; edit there.
+#pragma once
+
+#include <string>
+
+#include "thermoroll/carter.hpp"
+#include "thermoroll/coupled.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// How much heat is expected to change results, relatively, @eq:a-priori.
+double expected_change(const Scene& scene, const Carter& c);
+
+/// The rungs, as solutions of the coupled problem; errors include what the model leaves out, and
+/// are infinite where heat is too strong for one linear correction. The closed form's h has ten
+/// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
+CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given);
+CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
+                            const Given& given);
+
+/// The largest difference of any quantity but the place of the hottest point, in units of what its
+/// tolerance is relative to; dimensionless.
+double largest_difference(const Values& x, const Values& exact);
+
+enum class Model { closed_form, first_order, coupled };
+
+/// A solution, the model that it is of, and why that one.
+struct Choice {
+  Model model;
+  std::string reason;
+  CoupledSolution solution;
+};
+
+/// Solve by the least model whose estimated error meets the tolerance. Arguments, errors and
+/// refusals as for solve_coupled.
+Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
+                   const Given& given);
+
+}  // namespace thermoroll

@@ -1,0 +1,351 @@
+// Tangled from paper/A-command-line.md; edit there.
+#include "thermoroll/solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "solver/contact_grid.hpp"
+#include "solver/least_model.hpp"
+#include "solver/surface.hpp"
+#include "support/number_text.hpp"
+#include "thermoroll/temperature.hpp"
+
+namespace thermoroll {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+double& the_given_one(Results& x, const Given& given) {
+  if (given.quantity == creep) return x.creep;
+  return given.quantity == border ? x.stick_slip_border : x.traction;
+}
+
+Results named(const Values& x, double eccentricity) {
+  return {x(traction), x(border),    x(creep_constant), x(creep),   x(load_ratio),
+          x(gamma0),   eccentricity, x(heat),           x(hottest), x(hottest_at)};
+}
+
+std::string name_of(Model model) {
+  if (model == Model::closed_form) return "closed-form";
+  return model == Model::first_order ? "first-order" : "coupled";
+}
+
+Choice choose(const Scene& scene, const Approach& a, const Given& given) {
+  const std::string asked = "asked for";
+  if (a.method == Method::coupled)
+    return {Model::coupled, asked, solve_coupled(scene, a.formulation, a.tolerance, given)};
+  if (a.method == Method::first_order)
+    return {Model::first_order, asked, first_order(scene, a.formulation, a.tolerance, given)};
+  return least_model(scene, a.formulation, a.tolerance, given);
+}
+
+Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& given) {
+  const double tolerance = approach.tolerance;
+  require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
+  const auto [model, reason, x] = choose(scene, approach, given);
+  if (!x.error.allFinite())
+    throw std::runtime_error(name_of(model) + ": heat is too strong for one linear correction");
+  const Values &v = x.value, &e = x.error;
+  const double kappa = v(load_ratio);
+  const double drift = pi / (2 * kappa) * (e(gamma0) + std::abs(v(gamma0)) / kappa * e(load_ratio));
+  Results value = named(v, x.eccentricity), error = named(e, drift);
+  the_given_one(value, given) = given.value;
+  the_given_one(error, given) = 0;
+  scene.traction = value.traction;
+  return {scene, approach, value, error, x, true, name_of(model), reason, x.violations};
+}
+
+Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {
+  const Carter c = carter_given(scene.friction, given);
+  const Peak top = hottest_point(smooth_flux(c), scene.peclet, 1e-9);
+  const Estimate t = top.temperature;
+  const double heat = carter_heat(c), xi = c.creep, xi_error = 4 * epsilon * xi;
+  const double q = scene.friction * c.slip_half_width * (1 + c.b);
+  Results value{q, c.c0, xi, xi, 1, 0, 0, heat, t.value, top.at};
+  Results error{4 * epsilon * q,    3 * epsilon, xi_error,    xi_error, 0, 0, 0,
+                8 * epsilon * heat, t.error,     top.at_error};
+  the_given_one(value, given) = given.value;
+  the_given_one(error, given) = 0;
+  scene.traction = value.traction;
+  return {scene, approach, value, error, c, true, name_of(Model::closed_form), "asked for"};
+}
+
+PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
+  const int n = approach.nodes;
+  require(3 <= n && n <= 5000, "nodes", n, "from 3 to 5000");
+  PrintedOptions options;
+  options.nodes = n;
+  try {
+    return solve_printed(scene, approach.formulation, options);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("gauss-chebyshev with " + std::to_string(n) + " nodes needs " +
+                             fixed(4e-6 * n * n * sizeof(double), 0) +
+                             " MB of memory, too much here");
+  }
+}
+
+Solution solve_gauss_chebyshev(const Scene& scene, const Approach& approach) {
+  const PrintedSolution x = run_scheme(scene, approach);
+  const PrintedPeak top = printed_max_temperature(x, scene.peclet);
+  const double eccentricity = pi * x.gamma0 / (2 * x.load_ratio), heat = node_heat(x).sum();
+  const Results value{scene.traction, x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
+                      eccentricity,   heat, top.temperature,  top.at};
+  Solution solution{scene, approach, value, std::nullopt, x, x.converged};
+  solution.violations = violations(factors(x, scene.friction));
+  return solution;
+}
+
+Curve scheme_curve(const Scene& scene, const PrintedSolution& x, const std::vector<double>& at) {
+  Curve curve{{}, x.converged};
+  for (const double s : at) {
+    PrintedSolution others = x;
+    others.slip = ((x.grid.t.array() - s).abs() <= 4 * epsilon).select(0, x.slip);
+    curve.points.push_back({s, printed_temperature(others, scene.peclet, s), std::nullopt});
+  }
+  return curve;
+}
+
+Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
+  const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(zone + 1, 0, pi / 2);
+  Eigen::ArrayXd s(2 * zone + 1);
+  s.tail(zone + 1) = c.c0 + 2 * c.slip_half_width * angle.sin().square();
+  s.head(zone + 1) = -1 + 2 * c.b * angle.sin().square();
+  s(zone) = c.c0, s(2 * zone) = 1;
+  return s;
+}
+
+Profile carter_profile(const Scene& scene, const Carter& c) {
+  constexpr Eigen::Index zone = 100;  // intervals to each zone
+  const Eigen::ArrayXd s = carter_points(c, zone);
+  const SurfaceCurve surface = surface_curve(smooth_flux(c), scene.peclet, s, 1e-9);
+  Profile x{s, s, s, s, s, surface.temperature};
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    x.pressure(i) = hertz_pressure(s(i));
+    x.traction(i) = carter_traction(c, s(i));
+    x.slip(i) = carter_slip(c, s(i));
+    x.heat_flux(i) = x.slip(i) * x.pressure(i);
+  }
+  return x;
+}
+
+Peaks carter_peaks(const Carter& c) {
+  const double h = c.slip_half_width, middle = 3 * h - 2 * c.b, highest = hertz_pressure(0);
+  const double root = std::sqrt(middle * middle + 16 * h * c.b);
+  const double u = middle > 0 ? (middle + root) / (8 * h) : 2 * c.b / (root - middle);
+  const double at_border = 2 * std::sqrt(h * c.b) * highest;
+  return {highest, c.friction * (c.c0 > 0 ? at_border : highest),
+          carter_flux(c).density(2 * h * u, 2 * h * (1 - u))};
+}
+
+Peaks scheme_peaks(const PrintedSolution& x, double friction) {
+  Peaks peak{0, 0, 0};
+  for (Eigen::Index k = 0; k < x.grid.t.size(); ++k) {
+    const double s = x.grid.t(k), pressure = printed_pressure(x, s);
+    peak.pressure = std::max(peak.pressure, pressure);
+    peak.traction = std::max(peak.traction, printed_traction(x, friction, s));
+    peak.heat_flux = std::max(peak.heat_flux, pressure * x.slip(k));
+  }
+  return peak;
+}
+
+/// Pressures on both zones, the traction on the stick zone, the heat flux on the slip zone.
+struct Curves {
+  Eigen::ArrayXd slip_pressure, stick_pressure, stick_traction, heat_flux;
+};
+
+/// The curves at -1 <= x <= 1, the variable of each zone.
+Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
+  const Rule places{x, 0 * x, (1 + x) / 2, {}, {}};
+  const Zones z = zones({by.slip, by.stick}, places, places);
+  const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
+  const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
+  const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
+  Curves y;
+  y.slip_pressure = (slip_right * (2 - slip_right)).sqrt() * (p * by.pressure).array();
+  y.stick_pressure = (left * right).sqrt() * (q * by.stick_pressure).array();
+  y.stick_traction = friction * y.stick_pressure - (left * z.d).sqrt() * (q * by.bracket).array();
+  y.heat_flux = by.slip * (z.t * (1 - z.t)).sqrt() * (p * by.h).array();
+  return y;
+}
+
+/// The largest value of a curve and where it is.
+struct Top {
+  double at, value;
+};
+
+/// The top of a curve on -1 <= x <= 1 that so many points show, which crowd towards the ends. About
+/// the best of them the search goes on with nine at a time, until they are so near that the top is
+/// flat.
+template <class Curve>
+Top top(Eigen::Index points, const Curve& curve) {
+  Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
+  for (;;) {
+    Eigen::Index best = 0;
+    const double value = curve(x).maxCoeff(&best);
+    const double low = x(std::max<Eigen::Index>(best - 1, 0));
+    const double high = x(std::min(best + 1, x.size() - 1));
+    if (high - low < 1e-8) return {x(best), value};
+    x = Eigen::ArrayXd::LinSpaced(9, low, high);
+  }
+}
+
+FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
+  const int n = found.unknowns, other = n > 320 ? 2 * n / 3 : 3 * n / 2;
+  const double f = x.scene.friction, half = found.value(slip_length) / 2;
+  const auto on = [&](int grid) {
+    return largest(smooth_tractions(x.scene, x.approach.formulation, found, grid), f);
+  };
+  const bool closed = x.model == name_of(Model::closed_form);
+  const bool better = other > n && x.model == name_of(Model::coupled);
+  const Carter carter{f, 1 - half, half, found.value(border), found.value(creep)};
+  const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
+  const double e = x.error->heat_integral / x.value.heat_integral;
+  const auto error = [&](double Peaks::*what) {
+    return 2 * std::abs(changed.*what - own.*what) + e * own.*what;
+  };
+  const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
+  return {better ? changed : own, errors};
+}
+
+/// Results and peaks, or their errors, in SI units; without the sizes and Hertz's pressure.
+PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit, double speed) {
+  PhysicalResults y{};
+  y.creep_ratio = x.creep * unit.slip / speed;
+  y.max_pressure = peak.pressure * unit.traction;
+  y.max_traction = peak.traction * unit.traction;
+  y.max_heat_flux = peak.heat_flux * unit.heat_flux;
+  y.max_temperature_celsius = x.max_temperature * unit.temperature;
+  return y;
+}
+
+}  // namespace
+
+Solution solve(const Scene& scene, const Approach& approach, const Given& given) {
+  check_given(scene, given);
+  if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
+  if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
+  if (given.quantity != traction)
+    throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
+  return solve_gauss_chebyshev(scene, approach);
+}
+
+Solution solve(const Scene& scene, const Approach& approach) {
+  return solve(scene, approach, {traction, scene.traction});
+}
+
+Profile profile(const Solution& x) {
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) {
+    Scene scene = x.scene;
+    if (x.model == name_of(Model::closed_form)) scene.heating = 0;  // as its tractions are
+    return profile(scene, x.approach.formulation, *found);
+  }
+  if (const auto* closed = std::get_if<Carter>(&x.found)) return carter_profile(x.scene, *closed);
+  throw std::invalid_argument(
+      "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
+      "temperature is infinite");
+}
+
+Peaks largest(const SmoothTractions& by, double friction) {
+  const Eigen::Index points = 4 * std::max(by.h.size(), by.bracket.size()) + 1;
+  const auto highest = [&](Eigen::ArrayXd Curves::*what) {
+    return top(points, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
+      return curves_at(x, by, friction).*what;
+    });
+  };
+  const Top p = highest(&Curves::slip_pressure), stick_p = highest(&Curves::stick_pressure);
+  const Top stick_q = highest(&Curves::stick_traction), flux = highest(&Curves::heat_flux);
+  Peaks peak{p.value, friction * p.value, flux.value};
+  if (stick_p.at > -1) peak.pressure = std::max(peak.pressure, stick_p.value);
+  if (stick_q.at > -1) peak.traction = std::max(peak.traction, stick_q.value);
+  return peak;
+}
+
+FoundPeaks peaks(const Solution& x) {
+  if (const auto* scheme = std::get_if<PrintedSolution>(&x.found))
+    return {scheme_peaks(*scheme, x.scene.friction), std::nullopt};
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) return found_peaks(x, *found);
+  const Peaks exact = carter_peaks(std::get<Carter>(x.found));
+  const double e = 8 * epsilon;
+  return {exact, Peaks{e * exact.pressure, e * exact.traction, e * exact.heat_flux}};
+}
+
+FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius) {
+  const Units unit = units_of(c, x.scene.friction);
+  const FoundPeaks peak = peaks(x);
+  const double hertz = hertz_half_width(x.value.load_ratio * c.load, 1, c.shear_modulus, c.poisson);
+  FoundInSi y{converted(x.value, peak.value, unit, c.speed), std::nullopt};
+  y.value.half_width = c.half_width;
+  y.value.radius = c.half_width * c.half_width / (hertz * hertz);
+  y.value.hertz_pressure = 2 / pi * unit.traction;
+  if (!x.error) return y;
+  y.error = converted(*x.error, *peak.error, unit, c.speed);
+  PhysicalResults& error = *y.error;
+  const double of_kappa = x.error->load_ratio / std::abs(x.value.load_ratio);
+  const double of_size = from_radius ? 5e-10 + of_kappa : 0;
+  error.half_width = of_size * y.value.half_width;
+  error.radius = (of_kappa + 2 * of_size) * y.value.radius;
+  for (const auto field :
+       {&PhysicalResults::creep_ratio, &PhysicalResults::hertz_pressure,
+        &PhysicalResults::max_pressure, &PhysicalResults::max_traction,
+        &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius})
+    error.*field += 2 * of_size * y.value.*field;
+  return y;
+}
+
+void require_contact(const Solution& x) {
+  if (!x.converged)
+    throw NotConverged("the iteration did not converge; what is written is its last iterate");
+  if (x.violations.empty()) return;
+  const Violation& first = x.violations.front();
+  throw NoContact("what is written solves the equations, but is no contact: " + first.what +
+                  " at s = " + shortest(first.from) + " to " + shortest(first.to));
+}
+
+double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
+                            const Approach& approach) {
+  require(radius > 0, "radius", radius, "positive");
+  c.half_width = radius;  // any positive length, for the check
+  check(c);
+  double kappa = 1;
+  for (int step = 0; step < 50 && kappa > 0; ++step) {
+    const double before = kappa;
+    c.half_width = hertz_half_width(kappa * c.load, radius, c.shear_modulus, c.poisson);
+    const Solution x = solve(scene_of(c, friction, given.value), approach, given);
+    kappa = x.value.load_ratio;
+    const double error = x.error ? x.error->load_ratio : 0;
+    if (std::abs(kappa - before) <= 1e-9 * before + error) return c.half_width;
+  }
+  throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
+}
+
+Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {
+  require(depth >= 0, "depth", depth, "zero or positive");
+  if (const auto* scheme = std::get_if<PrintedSolution>(&x.found)) {
+    require(depth == 0, "depth", depth, "0 with gauss-chebyshev, whose rule is for the surface");
+    return scheme_curve(x.scene, *scheme, at);
+  }
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  const Carter* closed = std::get_if<Carter>(&x.found);
+  const double flux_error = coupled ? x.error->max_temperature : 0;
+  Curve curve;
+  if (depth == 0) {
+    const auto points = static_cast<Eigen::Index>(at.size());
+    const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
+    const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
+    const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
+    const SurfaceCurve found = surface_curve(flux, x.scene.peclet, s, tolerance);
+    for (Eigen::Index i = 0; i < s.size(); ++i)
+      curve.points.push_back({s(i), found.temperature(i), found.error + flux_error});
+  } else {
+    const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
+    for (const double s : at) {
+      const Estimate t = temperature(flux, x.scene.peclet, s, depth);
+      curve.points.push_back({s, t.value, t.error + flux_error});
+    }
+  }
+  return curve;
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,21 @@
+// Tangled from paper/12-speed-and-accuracy.md; edit there.
+#pragma once
+
+#include "thermoroll/published_scheme.hpp"
+
+namespace thermoroll {
+
+/// What stands for the kernel between a node and a point: its value there, as in the paper, or its
+/// mean under the node's hat function, @eq:under-hat.
+enum class NodeKernel { sample, mean };
+
+/// The published scheme with tabulated kernels and nothing computed twice. With NodeKernel::sample
+/// the results are those of solve_printed to rounding. Throws std::invalid_argument for a scene or
+/// a node count out of range, or options.heaviside_at_zero other than zero.
+PrintedSolution solve_thrifty(const Scene& scene, Formulation formulation, NodeKernel kernel,
+                              const PrintedOptions& options = {});
+
+/// The largest temperature at the collocation points, with the kernel M sampled or averaged.
+PrintedPeak thrifty_max_temperature(const PrintedSolution& x, double peclet, NodeKernel kernel);
+
+}  // namespace thermoroll

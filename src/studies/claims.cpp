@@ -1,0 +1,276 @@
+// Tangled from paper/11-results.md; edit there.
+#include "studies/claims.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "studies/paper_case.hpp"
+#include "support/number_text.hpp"
+#include "thermoroll/temperature.hpp"
+
+namespace thermoroll {
+
+std::string verdict_on(const std::string& paper, double ours) {
+  const double percent = 100 * (std::stod(paper) / ours - 1);
+  if (std::abs(percent) < 0.5) return "holds";
+  const std::size_t point = paper.find('.');
+  const std::size_t decimals = point == paper.npos ? 0 : paper.size() - point - 1;
+  if (fixed(ours, static_cast<int>(decimals)) == paper) return "holds, rounded";
+  return "paper " + fixed(std::abs(percent), 1) + " % " + (percent > 0 ? "high" : "low");
+}
+
+std::string verdict(bool holds, const std::string& how) {
+  if (!holds) return "does not hold";
+  return how.empty() ? "holds" : "holds, " + how;
+}
+
+Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
+  const std::string bound = std::to_string(most);
+  return {"to 0.1 %, at most " + bound + " iterations on " + unknown, bound, std::to_string(found),
+          "–", verdict(converged && found <= most)};
+}
+
+double speed_at(double pe) {
+  const PhysicalCase steel = wheel_on_rail();
+  return 2 * steel.diffusivity * pe / steel.half_width;
+}
+
+double celsius_per_unit(double speed) {
+  PhysicalCase steel = wheel_on_rail();
+  steel.speed = speed;
+  return units_of(steel, paper::friction).temperature;
+}
+
+double celsius_per_unit_at(double pe) { return celsius_per_unit(speed_at(pe)); }
+
+double rolling_to_sliding(double q) {
+  const Carter c = paper::closed_form(q);
+  return max_temperature(carter_flux(c), 1000).temperature.value /
+         max_temperature(sliding_flux(carter_heat(c)), 1000).temperature.value;
+}
+
+namespace {
+
+using Claims = std::vector<Claim>;
+using Eigen::ArrayXd;
+
+std::string yes(bool holds) { return holds ? "yes" : "no"; }
+
+struct Case {
+  double traction, peclet;
+  PrintedSolution coarse, fine;  // by the published scheme, n = 50 and 200
+  CoupledSolution coupled;
+  Profile profile;  // of the coupled solution
+};
+
+std::vector<Case> sixteen_cases() {
+  std::vector<Case> cases;
+  for (const double q : paper::tractions)
+    for (const double pe : paper::peclets) {
+      const CoupledSolution x = paper::coupled(q, pe);
+      cases.push_back({q, pe, paper::scheme(q, pe, {50, 1e-3}), paper::scheme(q, pe, {200, 1e-3}),
+                       x, profile(paper::scene(q, pe), paper::formulation, x)});
+    }
+  return cases;
+}
+
+template <class Property>
+bool every(const std::vector<Case>& cases, Property holds) {
+  return std::all_of(cases.begin(), cases.end(), holds);
+}
+
+/// Whether every run of the published scheme has the property.
+template <class Property>
+bool every_run(const std::vector<Case>& cases, Property holds) {
+  return every(cases, [&](const Case& x) { return holds(x.coarse) && holds(x.fine); });
+}
+
+/// Whether the maximum rises from each case to every other that is slower and carries more.
+template <class Maximum>
+bool rises(const std::vector<Case>& cases, Maximum of) {
+  return every(cases, [&](const Case& x) {
+    return every(cases, [&](const Case& y) {
+      const bool hotter = y.traction >= x.traction && y.peclet <= x.peclet;
+      return !hotter || &x == &y || of(y) > of(x);
+    });
+  });
+}
+
+Claims on_the_data() {
+  const Scene steel = scene_of(wheel_on_rail(), paper::friction, 0.5);
+  return {{"thermomechanical ratio H of the wheel on the rail", "0.02", "–",
+           fixed(steel.heating, 4), verdict_on("0.02", steel.heating)},
+          {"Péclet number of the wheel on the rail", "4360", "–", fixed(steel.peclet, 1),
+           verdict_on("4360", steel.peclet)},
+          {"Pe = 5000 is a speed of about 25 m/s", "25", "–", fixed(speed_at(5000), 2),
+           verdict_on("25", speed_at(5000))}};
+}
+
+Claims on_the_temperature() {
+  const double top = paper::coupled(0.5, 5000).value(hottest);
+  Claims table{{"T*max at Q* = 0.5, Pe = 5000", "0.002", fixed(paper::scheme_max(0.5, 5000), 6),
+                fixed(top, 6), verdict_on("0.002", top)}};
+  for (const auto& [pe, celsius] : {std::pair{5000, "272"}, {10000, "420"}, {15000, "490"}}) {
+    const int speed = pe / 200;  // as the paper has it
+    const double unit = celsius_per_unit(speed);
+    const double rise = unit * paper::coupled(0.5, pe).value(hottest);
+    table.push_back({"largest temperature at Q* = 0.5, Pe = " + std::to_string(pe) + ", " +
+                         std::to_string(speed) + " m/s, °C",
+                     celsius, fixed(unit * paper::scheme_max(0.5, pe), 1), fixed(rise, 1),
+                     verdict_on(celsius, rise)});
+  }
+  return table;
+}
+
+Claim on_phases() {
+  std::string rises, cold, hot;
+  const auto add = [](std::string& list, const std::string& item) {
+    list += (list.empty() ? "" : ", ") + item;
+  };
+  for (const double q : paper::tractions) {
+    const double rise = celsius_per_unit(75) * paper::coupled(q, 15000).value(hottest);
+    add(rises, fixed(rise, 0));
+    add(rise < 700 ? cold : hot, shortest(q));
+  }
+  return {"too cold for a phase transformation of steel (below 727 °C)", "yes", "–",
+          "rises of " + rises + " °C at Pe = 15000",
+          verdict(!cold.empty(), "at Q* = " + cold + (hot.empty() ? "" : ", not at " + hot))};
+}
+
+Claims on_variation(const std::vector<Case>& cases) {
+  const auto of_scheme = [](const Case& x) {
+    return printed_max_temperature(x.fine, x.peclet).temperature;
+  };
+  const bool scheme = rises(cases, of_scheme);
+  const bool converged = rises(cases, [](const Case& x) { return x.coupled.value(hottest); });
+  const double small = rolling_to_sliding(0.2), large = rolling_to_sliding(0.59);
+  return {{"T* is higher at small Pe and at large Q*", "yes", yes(scheme), yes(converged),
+           verdict(converged)},
+          {"rolling differs from pure sliding: ratio of T*max at Q* = 0.2 and 0.59",
+           "larger at small Q*", "–", fixed(small, 2) + ", " + fixed(large, 2),
+           verdict(small > large)}};
+}
+
+bool zero_before(double c0, const ArrayXd& s, const ArrayXd& slip) {
+  return (s > c0 || slip == 0).all();
+}
+
+bool positive_behind(double c0, const ArrayXd& s, const ArrayXd& slip) {
+  return (s <= c0 || slip > 0).all();
+}
+
+bool below_the_limit(const PrintedSolution& x) {
+  return std::all_of(x.grid.s.begin(), x.grid.s.end(), [&](double s) {
+    const double q = printed_traction(x, paper::friction, s);
+    return s >= x.c0 || std::abs(q) < paper::friction * printed_pressure(x, s);
+  });
+}
+
+bool below_the_limit(double c0, const Profile& x) {
+  return (x.s >= c0 || x.traction.abs() < paper::friction * x.pressure).all();
+}
+
+Claims on_slip(const std::vector<Case>& cases) {
+  const bool zero_scheme = every_run(
+      cases, [](const PrintedSolution& x) { return zero_before(x.c0, x.grid.t, x.slip); });
+  const bool sticks_scheme =
+      every_run(cases, [](const PrintedSolution& x) { return below_the_limit(x); });
+  const bool slips_scheme = every_run(
+      cases, [](const PrintedSolution& x) { return positive_behind(x.c0, x.grid.t, x.slip); });
+  const bool zero = every(cases, [](const Case& x) {
+    return zero_before(x.coupled.value(border), x.profile.s, x.profile.slip);
+  });
+  const bool sticks = every(
+      cases, [](const Case& x) { return below_the_limit(x.coupled.value(border), x.profile); });
+  const bool slips = every(cases, [](const Case& x) {
+    return positive_behind(x.coupled.value(border), x.profile.s, x.profile.slip);
+  });
+  return {
+      {"v* is zero in the stick zone", "yes", yes(zero_scheme), yes(zero),
+       verdict(zero_scheme && zero, "by construction")},
+      {"|q| < f p in the stick zone", "yes", yes(sticks_scheme), yes(sticks), verdict(sticks)},
+      {"v* is positive in the slip zone", "yes", yes(slips_scheme), yes(slips), verdict(slips)}};
+}
+
+std::string gamma0_at(int nodes) {
+  return fixed(paper::scheme(0.5, paper::peclet, {nodes}).gamma0, 5);
+}
+
+Claims on_deformation() {
+  const CoupledSolution x = paper::coupled(0.5, paper::peclet);
+  const double change = 1 - x.value(load_ratio);
+  const double seen = 1 - paper::scheme(0.5, paper::peclet).load_ratio;
+  const bool vanishes = std::abs(x.value(gamma0)) <= x.error(gamma0);
+  return {{"thermal deformation is negligible: 1 − κ at Pe = 4360", "small", fixed(seen, 5),
+           fixed(change, 5),
+           verdict(std::abs(change) < 0.01,
+                   "though n = 200 sees " + fixed(100 * seen / change, 0) + " % of it")},
+          {"γ0 tends to zero with n (at n = 50, 400)", "0", gamma0_at(50) + ", " + gamma0_at(400),
+           fixed(x.value(gamma0), 5), verdict(vanishes)}};
+}
+
+/// Count a run of case x; returns the error of its T*max in per cent.
+double count(Record& record, const Case& x, const PrintedSolution& run) {
+  record.outer = std::max(record.outer, run.outer_iterations);
+  record.inner = std::max(record.inner, run.inner_iterations);
+  record.converged = record.converged && run.converged;
+  const double found = printed_max_temperature(run, x.peclet).temperature;
+  return 100 * std::abs(found / x.coupled.value(hottest) - 1);
+}
+
+Record record_of(const std::vector<Case>& cases) {
+  Record record;
+  for (const Case& x : cases) {
+    record.coarse_error = std::max(record.coarse_error, count(record, x, x.coarse));
+    record.fine_error = std::max(record.fine_error, count(record, x, x.fine));
+  }
+  return record;
+}
+
+Claims on_the_iteration(const std::vector<Case>& cases) {
+  const Record x = record_of(cases);
+  const bool exact = std::max(x.coarse_error, x.fine_error) <= 0.1;
+  return {claim_on_steps("c0", 20, x.inner, x.converged),
+          claim_on_steps("v*", 35, x.outer, x.converged),
+          {"relative accuracy 0.1 % with n = 50 … 200", "0.1 %",
+           "T*max within " + fixed(x.coarse_error, 1) + " % … " + fixed(x.fine_error, 1) + " %",
+           "–", verdict(x.converged, exact ? "" : "for the iteration, not for T*max")}};
+}
+
+/// The integral of s^power v* p* / sqrt(1 - s^2) over Carter's slip zone, @eq:first-order.
+double moment(const Carter& c, int power) {
+  const HeatFlux flux = carter_flux(c);
+  const double length = flux.to - flux.from;
+  const auto integrand = [&](double left) {
+    const double right = length - left, s = flux.from + left;
+    return std::pow(s, power) * flux.density(left, right) / std::sqrt(right * (1 + s));
+  };
+  return integrate(integrand, {0, length}).value;
+}
+
+}  // namespace
+
+double first_order_load_change(double q) {
+  const double sign = slope_sign(paper::formulation);
+  return sign * paper::friction * paper::heating * moment(paper::closed_form(q), 1);
+}
+
+double first_order_gamma0(double q) {
+  const double sign = slope_sign(paper::formulation);
+  return -sign * paper::friction * paper::heating / pi * moment(paper::closed_form(q), 0);
+}
+
+Record scheme_record() { return record_of(sixteen_cases()); }
+
+std::vector<Claim> claims() {
+  const std::vector<Case> cases = sixteen_cases();
+  Claims all;
+  for (const Claims& some :
+       {on_the_data(), on_the_temperature(), Claims{on_phases()}, on_variation(cases),
+        on_slip(cases), on_deformation(), on_the_iteration(cases)})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,150 @@
+// Tangled from paper/12-speed-and-accuracy.md, paper/14-least-model.md; edit there.
+#include "studies/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include <gsl/gsl_sf_bessel.h>
+
+#include "solver/least_model.hpp"
+#include "solver/surface.hpp"
+#include "studies/cached_scheme.hpp"
+#include "studies/paper_case.hpp"
+#include "support/number_text.hpp"
+#include "thermoroll/temperature.hpp"
+
+namespace thermoroll {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Formulation sign = Formulation::corrected;
+
+Found found(const PrintedSolution& x, const PrintedPeak& top) {
+  if (!x.converged) return {nan, nan, nan};
+  return {x.load_ratio, top.temperature, x.creep};
+}
+
+Found as_described(const Scene& scene, int nodes) {
+  const PrintedSolution x = solve_printed(scene, sign, {nodes});
+  return found(x, printed_max_temperature(x, scene.peclet));
+}
+
+Found thriftily(const Scene& scene, int nodes, NodeKernel kernel) {
+  const PrintedSolution x = solve_thrifty(scene, sign, kernel, {nodes});
+  return found(x, thrifty_max_temperature(x, scene.peclet, kernel));
+}
+
+Found found(const CoupledSolution& x) {
+  return {x.value(load_ratio), x.value(hottest), x.value(creep), x.unknowns};
+}
+
+Found coupled_to(const Scene& scene, double tolerance) try {
+  return found(solve_coupled(scene, sign, tolerance, {traction, scene.traction}));
+} catch (const std::runtime_error&) {  // not resolved
+  return {nan, nan, nan};
+}
+
+Found corrected_once(const Scene& scene) {
+  return found(first_order(scene, sign, 1e-6, {traction, scene.traction}));
+}
+
+Found without_heat(const Scene& scene) {
+  return {1, nan, carter(scene.friction, scene.traction).creep};
+}
+
+Found temperature_without_heat(const Scene& scene) {
+  const SmoothFlux flux = smooth_flux(carter(scene.friction, scene.traction));
+  return {nan, hottest_point(flux, scene.peclet, 1e-9).temperature.value, nan};
+}
+
+std::string where(const Scene& scene) {
+  return "/Pe:" + shortest(scene.peclet) + "/H:" + shortest(scene.heating);
+}
+
+Run coupled_run(const Scene& scene, double tolerance) {
+  return {"coupled", tolerance, "coupled/tol:" + shortest(tolerance) + where(scene),
+          [=] { return coupled_to(scene, tolerance); }};
+}
+
+}  // namespace
+
+std::vector<Run> runs(const Regime& regime) {
+  const Scene scene{paper::friction, 0.5, regime.peclet, regime.heating};
+  const std::string at = where(scene);
+  std::vector<Run> all{
+      {"closed_form", 0, "closed_form", [=] { return without_heat(scene); }},
+      {"closed_form", 0, "closed_form" + at, [=] { return temperature_without_heat(scene); }},
+      {"first_order", 0, "first_order" + at, [=] { return corrected_once(scene); }}};
+  for (int n = 25; n <= regime.most_nodes; n *= 2) {
+    const std::string with = "/n:" + std::to_string(n) + at;
+    all.push_back({"gauss_chebyshev", static_cast<double>(n), "gauss_chebyshev" + with,
+                   [=] { return as_described(scene, n); }});
+    for (const auto& [method, kernel] :
+         {std::pair{"thrifty", NodeKernel::sample}, {"moments", NodeKernel::mean}})
+      all.push_back({method, static_cast<double>(n),
+                     std::string("gauss_chebyshev_") + method + with,
+                     [=, kernel = kernel] { return thriftily(scene, n, kernel); }});
+  }
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})
+    all.push_back(coupled_run(scene, tolerance));
+  return all;
+}
+
+std::vector<std::pair<Scene, Run>> cost_runs() {
+  std::vector<std::pair<Scene, Run>> all;
+  for (const double heating : {0.0175, 1.0})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      for (int decade = -1; decade <= 6; ++decade) {
+        const double peclet = std::pow(10, decade);
+        const Scene scene{paper::friction, 0.5, peclet, heating};
+        all.emplace_back(scene, coupled_run(scene, tolerance));
+      }
+  return all;
+}
+
+std::vector<Sample> random_scenes(int count) {
+  std::mt19937_64 random(20020101);
+  const auto log_uniform = [&](double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  std::vector<Sample> scenes;
+  for (int i = 0; i < count; ++i) {
+    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
+    const Scene scene{f, f * share, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+    scenes.push_back({scene, random() % 2 ? Formulation::printed : Formulation::corrected});
+  }
+  return scenes;
+}
+
+Found reference(const Regime& regime) {
+  return coupled_run({paper::friction, 0.5, regime.peclet, regime.heating}, 1e-11).find();
+}
+
+CarterErrors carter_errors() {
+  const Carter exact = carter(0.3, 0.192);  // 1 - 0.6^2 = 0.64 of the friction
+  const Scene scene{0.3, 0.192, 1, 0};
+  const CoupledSolution at_creep = solve_coupled(scene, sign, 1e-6, {creep, exact.creep});
+  const CoupledSolution at_force = solve_coupled(scene, sign, 1e-6, {traction, 0.192});
+  const Profile x = profile(scene, sign, at_creep);
+  double worst = 0;
+  for (Eigen::Index i = 0; i < x.s.size(); ++i)
+    worst = std::max(worst, std::abs(x.traction(i) - carter_traction(exact, x.s(i))));
+  return {at_creep.unknowns, std::abs(at_creep.value(traction) / 0.192 - 1),
+          std::abs(at_force.value(creep) / exact.creep - 1), worst / (0.3 * hertz_pressure(0))};
+}
+
+double jaeger_band(double peclet, double s) {
+  const double a = peclet * (1 - s), b = peclet * (1 + s);
+  const double ahead = gsl_sf_bessel_K0_scaled(a) - gsl_sf_bessel_K1_scaled(a);
+  const double behind = gsl_sf_bessel_K0_scaled(b) + gsl_sf_bessel_K1_scaled(b);
+  return (a * std::exp(-2 * a) * ahead + b * behind) / (pi * peclet);
+}
+
+double blok_factor(double peclet) {
+  return 2 * std::sqrt(peclet) * max_temperature(sliding_flux(1), peclet).temperature.value;
+}
+
+}  // namespace thermoroll

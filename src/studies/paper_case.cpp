@@ -1,0 +1,22 @@
+// Tangled from paper/B-data-files.md; edit there.
+#include "studies/paper_case.hpp"
+
+namespace thermoroll::paper {
+
+Scene scene(double q, double pe) { return {friction, q, pe, heating}; }
+
+Carter closed_form(double q) { return carter(friction, q); }
+
+PrintedSolution scheme(double q, double pe, const PrintedOptions& options) {
+  return solve_printed(scene(q, pe), formulation, options);
+}
+
+double scheme_max(double q, double pe, const PrintedOptions& options) {
+  return printed_max_temperature(scheme(q, pe, options), pe).temperature;
+}
+
+CoupledSolution coupled(double q, double pe) {
+  return solve_coupled(scene(q, pe), formulation, 1e-8, {traction, q});
+}
+
+}  // namespace thermoroll::paper

@@ -1,0 +1,138 @@
+// What is printed of a solution, against the solution itself.
+#include "program/output.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+using namespace thermoroll;
+
+namespace {
+
+const Scene scene{0.6, 0.5, 300, 1};
+const Approach scheme{Method::gauss_chebyshev, Formulation::corrected, 60};
+
+std::map<std::string, std::string> cells_of(const Solution& x) {
+  std::map<std::string, std::string> cells;
+  for (const Field& field : csv_fields(x, {})) cells[field.name] = field.cell;
+  return cells;
+}
+
+/// The words of the line of a text that begins with this word.
+std::vector<std::string> line_of(const std::string& text, const std::string& first) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream in(line);
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    if (!words.empty() && words[0] == first) return words;
+  }
+  return {};
+}
+
+}  // namespace
+
+// In these cases no two of a solution's counts are the same, so that none can stand for another.
+TEST(Output, CountsAreThoseOfTheSolution) {
+  const Solution x = solve(scene, {Method::coupled}), y = solve(scene, scheme);
+  const auto& coupled = std::get<CoupledSolution>(x.found);
+  const auto& printed = std::get<PrintedSolution>(y.found);
+  ASSERT_NE(coupled.unknowns, coupled.newton_steps);
+  ASSERT_NE(printed.outer_iterations, printed.inner_iterations);
+  EXPECT_EQ(cells_of(x)["unknowns"], std::to_string(coupled.unknowns));
+  EXPECT_EQ(cells_of(x)["newton_iterations"], std::to_string(coupled.newton_steps));
+  EXPECT_EQ(cells_of(y)["outer_iterations"], std::to_string(printed.outer_iterations));
+  EXPECT_EQ(cells_of(y)["inner_iterations"], std::to_string(printed.inner_iterations));
+  EXPECT_EQ(cells_of(y)["nodes"], "60");
+  const std::string text = present(x, {}, Format::text), of_scheme = present(y, {}, Format::text);
+  EXPECT_EQ(line_of(text, "newton_iterations").back(), std::to_string(coupled.newton_steps));
+  EXPECT_EQ(line_of(of_scheme, "outer_iterations").back(),
+            std::to_string(printed.outer_iterations));
+}
+
+// An error is rounded to one digit, by at most a third: 1.5 may become 2.
+TEST(Output, TextHasTheErrorsOfTheSolution) {
+  const PhysicalCase c = wheel_on_rail();
+  const Solution x = solve(scene_of(c, 0.6, 0.5));
+  const FoundInSi si = in_si_units(x, c);
+  const std::string text = present(x, si, Format::text);
+  const auto expect_error = [&](const char* name, std::size_t column, double error) {
+    const std::vector<std::string> words = line_of(text, name);
+    ASSERT_GT(words.size(), column) << name;
+    EXPECT_NEAR(std::stod(words[column]) / error, 1, 0.34) << name;
+  };
+  expect_error("stick_slip_border", 3, x.error->stick_slip_border);
+  expect_error("creep", 3, x.error->creep);
+  expect_error("load_ratio", 3, x.error->load_ratio);
+  expect_error("max_temperature", 3, x.error->max_temperature);
+  expect_error("radius", 3, si.error->radius);
+  expect_error("max_pressure", 4, si.error->max_pressure);
+  expect_error("max_traction", 4, si.error->max_traction);
+  expect_error("max_heat_flux", 4, si.error->max_heat_flux);
+  expect_error("max_temperature_celsius", 3, si.error->max_temperature_celsius);
+}
+
+// Where the program chose the model, it says which and why; where the user did, that is no news.
+TEST(Output, TextTellsTheChosenModelAndWhy) {
+  const Solution x = solve(scene);
+  const std::string text = present(x, {}, Format::text);
+  EXPECT_EQ(line_of(text, "model"), (std::vector<std::string>{"model", x.model}));
+  EXPECT_NE(text.find(x.reason), std::string::npos);
+  EXPECT_FALSE(x.reason.empty());
+  EXPECT_TRUE(line_of(present(solve(scene, {Method::coupled}), {}, Format::text), "model").empty());
+}
+
+// A cell is read back as RFC 4180 says: what stands between quotes, each doubled quote being one.
+TEST(Output, QuotedCellsReadBack) {
+  for (const std::string text : {"", "plain", "a b", "a,b", "\"", "\"\"", "say \"no\", twice",
+                                 "two\nlines", "a\r", ",\",\""}) {
+    std::string cell = quoted(text), read;
+    if (cell.empty() || cell.front() != '"') {
+      EXPECT_EQ(cell.find_first_of(",\"\r\n"), std::string::npos) << text;
+      EXPECT_EQ(cell, text);
+      continue;
+    }
+    ASSERT_GE(cell.size(), 2U);
+    ASSERT_EQ(cell.back(), '"');
+    for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+      if (cell[i] == '"') {
+        ASSERT_EQ(cell[++i], '"') << "a quote alone in " << cell;
+        ASSERT_LT(i + 1, cell.size()) << cell;
+      }
+      read += cell[i];
+    }
+    EXPECT_EQ(read, text);
+  }
+}
+
+// A single number of a case in SI units or of its errors that is not finite is refused by name.
+TEST(Output, NoResultThatIsNotFinite) {
+  const PhysicalCase c = wheel_on_rail();
+  const Solution x = solve(scene_of(c, 0.6, 0.5), {Method::closed_form});
+  FoundInSi value = in_si_units(x, c), error = value;
+  value.value.max_traction = error.error->max_traction = std::nan("");
+  for (const FoundInSi& si : {value, error}) try {
+      present(x, si, Format::json);
+      ADD_FAILURE() << "written";
+    } catch (const NotConverged& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("max_traction is"), std::string::npos);
+    }
+}
+
+TEST(Output, NoTemperatureThatIsNotFinite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double t : {infinity, -infinity, std::nan("")}) {
+    const Curve curve{{{0, 1, 0.1}, {0.25, t, {}}}, true};
+    try {
+      curve_csv(curve, {});
+      ADD_FAILURE() << "written: " << t;
+    } catch (const NotConverged& refusal) {
+      EXPECT_STREQ(refusal.what(), "no finite temperature found at s = 0.25");
+    }
+  }
+}

@@ -1,0 +1,574 @@
+// The results that all methods report through, checked from outside.
+#include "thermoroll/solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solver/contact_grid.hpp"
+#include "thermoroll/carter.hpp"
+
+using namespace thermoroll;
+
+namespace {
+
+const Approach closed_form{Method::closed_form};
+const Approach scheme{Method::gauss_chebyshev, Formulation::printed};
+
+/// Scenes with friction 0.05 to 2 and traction / friction down to 1e-6 from either end.
+std::vector<Scene> random_scenes(int count) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Scene> scenes;
+  for (int i = 0; i < count; ++i) {
+    const double friction = 0.05 * std::pow(40, uniform(generator));
+    const double near_end = std::pow(10, -6 * uniform(generator)) / 2;
+    const double share = uniform(generator) < 0.5 ? near_end : 1 - near_end;
+    scenes.push_back({friction, share * friction, 100, 0});
+  }
+  return scenes;
+}
+
+/// A case with these groups at the load and the half-width of the wheel.
+PhysicalCase case_of(const Scene& scene) {
+  PhysicalCase c = wheel_on_rail();
+  c.speed = 2 * c.diffusivity * scene.peclet / c.half_width;
+  c.expansion = scene.heating * c.half_width * c.conductivity /
+                (2 * (1 + c.poisson) * c.diffusivity * c.load);
+  return c;
+}
+
+// The peaks of the closed form in long double. The flux (b + h u) sqrt(u (1 - u)) has one maximum,
+// which a golden section finds to the root of rounding, and its value to rounding.
+Peaks exact_peaks(const Scene& scene) {
+  const long double f = scene.friction, q = scene.traction, b = std::sqrt((f - q) / f);
+  const long double h = q / f / (1 + b), long_pi = std::acos(-1.0L), golden = 0.6180339887L;
+  const auto flux = [&](long double u) {
+    return 8 * f / (long_pi * long_pi) * 2 * h * (b + h * u) * std::sqrt(u * (1 - u));
+  };
+  long double low = 0, high = 1;
+  while (high - low > 1e-9L) {
+    const long double inner = golden * (high - low);
+    if (flux(high - inner) > flux(low + inner))
+      high = low + inner;
+    else
+      low = high - inner;
+  }
+  const long double root = 2 * b > 1 ? 2 * std::sqrt(h * b) : 1;
+  return {static_cast<double>(2 / long_pi), static_cast<double>(2 * f / long_pi * root),
+          static_cast<double>(flux(low))};
+}
+
+constexpr double Peaks::*all_peaks[] = {&Peaks::pressure, &Peaks::traction, &Peaks::heat_flux};
+const double ends[] = {1e-12, 1e-9, 1e-6, 1e-3, 0.5, 1 - 1e-3, 1 - 1e-6, 1 - 1e-12};
+
+/// The peaks to a tolerance of 1e-10. Next to full slip, where rounding of the traction forbids it,
+/// they are continued from where it does not, from 2e-4 and 1e-4 as linear functions of Carter's
+/// b = sqrt(1 - Q*/f). The next term of the series is smaller by another 1e-4; a thousandth of the
+/// change covers it.
+FoundPeaks fine_peaks(const Scene& scene, Formulation formulation) {
+  const Approach tight{Method::coupled, formulation, 200, 1e-10};
+  Scene near = scene, nearer = scene;
+  if (scene.traction < (1 - 1e-10) * scene.friction) return peaks(solve(scene, tight));
+  near.traction = (1 - 4e-8) * scene.friction, nearer.traction = (1 - 1e-8) * scene.friction;
+  const Peaks x = peaks(solve(near, tight)).value, y = peaks(solve(nearer, tight)).value;
+  const double b = std::sqrt((scene.friction - scene.traction) / scene.friction);
+  FoundPeaks end{x, x};
+  for (const auto peak : all_peaks) {
+    end.value.*peak = y.*peak + (y.*peak - x.*peak) * (1 - b / 1e-4);
+    *end.error.*peak = 1e-3 * std::abs(y.*peak - x.*peak) + 1e-9 * y.*peak;
+  }
+  return end;
+}
+
+constexpr double PhysicalResults::*all_in_si[] = {
+    &PhysicalResults::half_width,    &PhysicalResults::radius,
+    &PhysicalResults::creep_ratio,   &PhysicalResults::hertz_pressure,
+    &PhysicalResults::max_pressure,  &PhysicalResults::max_traction,
+    &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius};
+
+}  // namespace
+
+// The formulas of the closed form in long double, whose rounding (2^-64) is 2^-11 of double's and
+// so does not count: each error must be below what is claimed, and the claims below 8 epsilon.
+TEST(Solution, RoundingStaysWithinItsBounds) {
+  static_assert(std::numeric_limits<long double>::digits >= 64, "needs a wider long double");
+  const long double long_pi = std::acos(-1.0L);
+  for (const Scene& scene : random_scenes(200)) {
+    const Solution x = solve(scene, closed_form);
+    const long double f = scene.friction, q = scene.traction, b = std::sqrt((f - q) / f);
+    const long double h = q / f / (1 + b), creep = 2 * f / long_pi * h;
+    const auto error = [](double value, long double exact) {
+      return static_cast<double>(std::abs(value - exact));
+    };
+    EXPECT_LE(error(x.value.stick_slip_border, 2 * b - 1), x.error->stick_slip_border);
+    EXPECT_LE(error(x.value.creep, creep), x.error->creep);
+    EXPECT_LE(error(x.value.creep_constant, creep), x.error->creep_constant);
+    EXPECT_LE(error(x.value.heat_integral, creep * q / f), x.error->heat_integral);
+    EXPECT_EQ(x.value.traction, scene.traction);
+    EXPECT_EQ(x.value.load_ratio, 1);
+    EXPECT_EQ(x.value.gamma0, 0);
+    EXPECT_LE(x.error->heat_integral, 8 * 2.3e-16 * x.value.heat_integral);
+  }
+}
+
+// The largest of 20000 samples is below the peak, and near a smooth maximum by at most half the
+// curvature times the square of the distance: below 1e-7 of the peak in coordinates of the slip
+// zone, where the flux is (b + h u) sqrt(u (1 - u)). The traction has a corner, near which its
+// slope may be large, so the corner is one of the samples, by the lengths of both zones, which keep
+// their digits.
+TEST(Solution, PeaksAreTheLargestValues) {
+  for (const Scene& scene : random_scenes(20)) {
+    const Peaks x = peaks(solve(scene, closed_form)).value;
+    const Carter c = carter(scene.friction, scene.traction);
+    double traction = c.friction * 4 / pi * std::sqrt(c.slip_half_width * c.b), flux = 0;
+    for (int i = 0; i <= 20000; ++i) {
+      const double u = i / 20000.0, width = 2 * c.slip_half_width;
+      traction = std::max(traction, carter_traction(c, 2 * u - 1));
+      flux = std::max(flux, carter_flux(c).density(width * u, width * (1 - u)));
+    }
+    EXPECT_NEAR(x.traction / traction, 1, 1e-7);
+    EXPECT_GE(x.traction, traction * (1 - 1e-15));
+    EXPECT_NEAR(x.heat_flux / flux, 1, 1e-7);
+    EXPECT_GE(x.heat_flux, flux * (1 - 1e-15));
+    EXPECT_DOUBLE_EQ(x.pressure, hertz_pressure(0));
+  }
+}
+
+// Without heat the scheme's tractions are the closed form's to rounding error at its nodes, which
+// are cosines of angles pi/(n+1) apart. The angle theta between the top of the pressure and its
+// nearest node is at most half of that, and the pressure there is cos(theta) >= 1 - theta^2/2 of
+// the top; the border is left of the middle, so the same holds for the traction. The flux is
+// narrower, with the half-width h = 0.59 of the slip zone, and twice as curved.
+TEST(Solution, PeaksOfTheSchemeAreThoseAtItsNodes) {
+  const Scene scene{0.6, 0.5, 100, 0};
+  const Peaks exact = peaks(solve(scene, closed_form)).value;
+  const Peaks x = peaks(solve(scene, scheme)).value;
+  const double theta = pi / 402, missed = theta * theta / 2;
+  EXPECT_NEAR(x.pressure / exact.pressure, 1, missed);
+  EXPECT_NEAR(x.traction / exact.traction, 1, missed);
+  EXPECT_NEAR(x.heat_flux / exact.heat_flux, 1, 2 * missed / (0.59 * 0.59));
+}
+
+// The half-width found must meet its definition with the load ratio of its own solution. The last
+// step left kappa unchanged to 1e-9 and its estimated error, and a goes with its root.
+TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
+  PhysicalCase c = wheel_on_rail();
+  for (const double load : {1e5, 1.2e7, 1e8}) {
+    c.load = load;
+    for (const Approach& approach : {scheme, Approach{}}) {
+      c.half_width = half_width_of_radius(c, 0.46, 0.6, {traction, 0.5}, approach);
+      const Solution x = solve(scene_of(c, 0.6, 0.5), approach);
+      const double kappa = x.value.load_ratio, error = x.error ? x.error->load_ratio : 0;
+      const double hertz = hertz_half_width(kappa * load, 0.46, c.shear_modulus, c.poisson);
+      EXPECT_NEAR(c.half_width / hertz, 1, 1e-9 + error);
+      EXPECT_NE(kappa, 1);
+    }
+  }
+}
+
+// Where the scheme diverges, its load ratio may be negative, and no half-width belongs to that. The
+// heat of this case is far beyond any, and seven nodes are too few.
+TEST(Solution, NoHalfWidthWithoutALoadRatio) {
+  const Scene scene{0.1, 0.03, 10, 1000};
+  const PhysicalCase c = case_of(scene);
+  const Approach coarse{Method::gauss_chebyshev, Formulation::printed, 7};
+  ASSERT_LT(solve(scene, coarse).value.load_ratio, 0);
+  const double unit = hertz_half_width(c.load, 1, c.shear_modulus, c.poisson);
+  const double radius = std::pow(c.half_width / unit, 2);  // kappa is 1 in the first step
+  EXPECT_THROW(half_width_of_radius(c, radius, 0.1, {traction, 0.03}, coarse), NotConverged);
+}
+
+// The closed form for the border or the creep that belongs to a traction, against its formulas in
+// long double: the errors are within what is claimed, and what is given is repeated as it is.
+TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
+  for (const Scene& scene : random_scenes(40)) {
+    const Solution x = solve(scene, closed_form);
+    const long double long_pi = std::acos(-1.0L), f = scene.friction;
+    const Solution by_border = solve(scene, closed_form, {border, x.value.stick_slip_border});
+    const long double h = (1 - static_cast<long double>(x.value.stick_slip_border)) / 2;
+    const auto error = [](double value, long double exact) {
+      return static_cast<double>(std::abs(value - exact));
+    };
+    EXPECT_LE(error(by_border.value.traction, f * h * (2 - h)), by_border.error->traction);
+    EXPECT_LE(error(by_border.value.creep, 2 * f / long_pi * h), by_border.error->creep);
+    EXPECT_EQ(by_border.value.stick_slip_border, x.value.stick_slip_border);
+    EXPECT_EQ(by_border.error->stick_slip_border, 0);
+    const Solution by_creep = solve(scene, closed_form, {creep, x.value.creep});
+    const long double k = long_pi * x.value.creep / (2 * f);
+    EXPECT_LE(error(by_creep.value.traction, f * k * (2 - k)), by_creep.error->traction);
+    EXPECT_LE(error(by_creep.value.stick_slip_border, 1 - 2 * k),
+              by_creep.error->stick_slip_border);
+    EXPECT_LE(error(by_creep.value.heat_integral, x.value.creep * k * (2 - k)),
+              by_creep.error->heat_integral);
+    EXPECT_EQ(by_creep.value.creep, x.value.creep);
+    EXPECT_EQ(by_creep.scene.traction, by_creep.value.traction);
+  }
+}
+
+// With heat, ten times the estimated error covers the change to a far finer solution.
+TEST(Solution, CoupledErrorsCoverAFinerSolution) {
+  const Scene scene{0.6, 0.5, 100, 1};
+  for (const Given& given : {Given{traction, 0.5}, Given{creep, 0.2}, Given{border, -0.2}}) {
+    Approach approach;
+    approach.tolerance = 1e-4;
+    const Solution x = solve(scene, approach, given);
+    approach.tolerance = 1e-9;
+    const Solution fine = solve(scene, approach, given);
+    for (const auto field :
+         {&Results::traction, &Results::stick_slip_border, &Results::creep, &Results::load_ratio,
+          &Results::gamma0, &Results::eccentricity, &Results::heat_integral,
+          &Results::max_temperature, &Results::max_temperature_at})
+      EXPECT_LE(std::abs(x.value.*field - fine.value.*field), 10 * *x.error.*field);
+    EXPECT_LT(x.error->eccentricity, pi * 1e-4);
+    EXPECT_DOUBLE_EQ(x.value.eccentricity, pi * x.value.gamma0 / (2 * x.value.load_ratio));
+  }
+}
+
+// Without heat the profiles of the coupled solver lie on the closed form's curves. They are roots
+// of distances from the edges and the border, in which a rounding of s weighs as it weighs in the
+// distance.
+TEST(Solution, ProfilesOfBothMethodsAgreeWithoutHeat) {
+  const Scene scene{0.6, 0.5, 100, 0};
+  const Carter c = carter(0.6, 0.5);
+  const Profile x = profile(solve(scene)), y = profile(solve(scene, closed_form));
+  for (const Profile& z : {x, y})
+    for (Eigen::Index i = 0; i < z.s.size(); ++i) {
+      EXPECT_NEAR(z.pressure(i), hertz_pressure(z.s(i)), 1e-12);
+      EXPECT_NEAR(z.traction(i), carter_traction(c, z.s(i)), 1e-12);
+      const double near = std::min(1 - z.s(i), std::abs(z.s(i) - c.c0));
+      EXPECT_NEAR(z.slip(i), carter_slip(c, z.s(i)), 1e-12 + 1e-15 / std::max(near, 1e-15));
+      EXPECT_NEAR(z.heat_flux(i), z.slip(i) * z.pressure(i), 1e-15);
+    }
+  EXPECT_EQ(y.s(0), -1);
+  EXPECT_EQ(y.s(100), c.c0);
+  EXPECT_EQ(y.s(200), 1);
+  const std::vector<double> at(x.s.begin(), x.s.end());
+  const Curve curve = temperature_curve(solve(scene, closed_form), at, 0);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    EXPECT_NEAR(x.temperature(static_cast<Eigen::Index>(i)), curve.points[i].temperature, 1e-9);
+}
+
+// Without heat every method that states errors has the closed form's peaks to within its error,
+// however short a zone is. The closed form's errors are of rounding, and the tolerance of the
+// others is relative.
+TEST(Solution, PeaksKeepTheirDigitsAtBothEnds) {
+  for (const double share : ends)
+    for (const Method method : {Method::closed_form, Method::automatic, Method::coupled}) {
+      const Scene scene{0.6, 0.6 * share, 4360, 0};
+      const Peaks exact = exact_peaks(scene);
+      const FoundPeaks x = peaks(solve(scene, {method}));
+      const double most = method == Method::closed_form ? 2e-15 : 1e-6;
+      for (const auto peak : all_peaks) {
+        EXPECT_NEAR(x.value.*peak, exact.*peak, *x.error.*peak) << share;
+        EXPECT_LE(*x.error.*peak, most * exact.*peak) << share;
+      }
+    }
+}
+
+// Where `auto` takes the closed form, its peaks are the closed form's, whatever is left out: that
+// is in their errors. Its profile has the closed form's tractions, to rounding, as above.
+TEST(Solution, PeaksOfTheClosedFormThatWasChosen) {
+  const Scene scene{0.6, 0.3, 100, 1e-4};
+  const Approach loose{Method::automatic, Formulation::printed, 200, 1e-2};
+  const Solution x = solve(scene, loose);
+  ASSERT_EQ(x.model, "closed-form");
+  const FoundPeaks chosen = peaks(x),
+                   fine = peaks(solve(scene, {Method::coupled, loose.formulation}));
+  const Peaks exact = peaks(solve(scene, closed_form)).value;
+  for (const auto peak : all_peaks) {
+    EXPECT_DOUBLE_EQ(chosen.value.*peak, exact.*peak);
+    EXPECT_NEAR(chosen.value.*peak, fine.value.*peak, *chosen.error.*peak);
+  }
+  const Profile y = profile(x);
+  const Carter c = carter(0.6, 0.3);
+  for (Eigen::Index i = 0; i < y.s.size(); ++i) {
+    EXPECT_NEAR(y.pressure(i), hertz_pressure(y.s(i)), 1e-12);
+    EXPECT_NEAR(y.traction(i), carter_traction(c, y.s(i)), 1e-12);
+  }
+}
+
+// Tractions made of constants, whose peaks can be told. With p-hat = 2/pi everywhere, the largest
+// pressure is 2/pi, in the middle. Where nothing corrects it, the traction of the stick zone is f
+// times the pressure, so that its peak is in the middle of the contact, too, and not at the border.
+// Where more pressure is on one zone than on the other, its peak is on that, or at the border.
+TEST(Solution, PeaksMayBeAnywhere) {
+  const auto constant = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+  const double unit = 2 / pi;
+  for (const double slip : {1e-9, 0.1, 0.5, 0.9}) {
+    const double root = std::sqrt(slip * (2 - slip));  // of (1 - s^2) at the border
+    const auto made = [&](double on_slip, double on_stick, double bracket) {
+      return largest(
+          {slip, 2 - slip, constant(0.1), constant(on_slip), constant(on_stick), constant(bracket)},
+          0.6);
+    };
+    EXPECT_NEAR(made(unit, unit, 0).pressure, unit, 1e-15);
+    EXPECT_NEAR(made(unit, unit, 0).traction, 0.6 * unit, 1e-15);
+    EXPECT_NEAR(made(unit, unit, 0.6 * unit).traction / (0.6 * unit * root), 1, 1e-14);
+    EXPECT_NEAR(made(9, unit / 1e9, 0.6).pressure / (9 * root), 1, 1e-14);
+    EXPECT_NEAR(made(unit, unit, 0).heat_flux / (slip / 2 * 0.1), 1, 1e-14);
+  }
+}
+
+// Fast scenes in which the error of the heat is too small for a peak, against a tighter solution.
+// The error counts the change between two grids, and so it is no less than that.
+TEST(Solution, PeakErrorsCountTheChangeOfTheGrid) {
+  for (const Scene& scene :
+       {Scene{1.01, 0.4226, 7.84e5, 3.298e-5}, Scene{0.696, 0.2467, 6.107e7, 1.168e-3},
+        Scene{1.33, 0.4569, 8.209e5, 4.077e-4}, Scene{1.38, 0.5873, 3.135e7, 1.509e-6}}) {
+    const Solution x = solve(scene, {Method::coupled});
+    const auto& found = std::get<CoupledSolution>(x.found);
+    const auto on = [&](int n) {
+      return largest(smooth_tractions(scene, Formulation::corrected, found, n), scene.friction);
+    };
+    const Peaks own = on(found.unknowns), finer = on(3 * found.unknowns / 2);
+    const FoundPeaks peak = peaks(x);
+    const FoundPeaks fine =
+        peaks(solve(scene, {Method::coupled, Formulation::corrected, 200, 1e-9}));
+    for (const auto which : all_peaks) {
+      EXPECT_GE(*peak.error.*which, std::abs(finer.*which - own.*which)) << scene.peclet;
+      EXPECT_NEAR(peak.value.*which, fine.value.*which, *peak.error.*which + *fine.error.*which);
+    }
+  }
+}
+
+// On a grid other than its own a solution does not hand down its h, but that of the equations: a
+// loose solution and a tight one at the same border have the same. Newton's method stops at 1e-10.
+TEST(Solution, AnotherGridHasItsOwnFlux) {
+  for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
+    const Scene scene{0.6, 0.3, 300, 1};
+    const auto on_other = [&](double tolerance) {
+      const Solution x =
+          solve(scene, {Method::coupled, formulation, 200, tolerance}, {border, 0.2});
+      return smooth_tractions(scene, formulation, std::get<CoupledSolution>(x.found), 50);
+    };
+    const SmoothTractions loose = on_other(1e-2), tight = on_other(1e-8);
+    EXPECT_LT((loose.h - tight.h).norm(), 1e-9 * tight.h.norm());
+    EXPECT_LT((loose.pressure - tight.pressure).norm(), 1e-9 * tight.pressure.norm());
+    EXPECT_LT((loose.bracket - tight.bracket).norm(), 1e-9 * tight.bracket.norm());
+  }
+}
+
+// Of many tops the highest is found, in series whose coefficients decrease as a solution's do.
+// Samples that are 1e-4 apart miss it by 1e-8/2 times the curvature, which for a Legendre series
+// of degree 24 is below its degree to the fourth power.
+TEST(Solution, PeaksAreTheHighestOfManyTops) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-2, 2);
+  for (int k = 0; k < 40; ++k) {
+    Eigen::VectorXd pressure(25);
+    for (Eigen::Index l = 0; l < 25; ++l) pressure(l) = uniform(generator) * std::pow(0.85, l);
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(25);
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(20001, -1, 1);
+    const Eigen::ArrayXd series = legendre(y, 25) * pressure;
+    double highest = 0;
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      const double right = 0.8 * (1 - Place(1 + y(i), 1 - y(i)).t());
+      highest = std::max(highest, std::sqrt(right * (2 - right)) * series(i));
+    }
+    const double found = largest({0.8, 1.2, zero, pressure, zero, zero}, 0.6).pressure;
+    EXPECT_GE(found, highest * (1 - 1e-14));
+    EXPECT_NEAR(found, highest, 0.5e-8 * std::pow(24, 4));
+  }
+}
+
+// Of the grids that are looked at the finest counts, which is 480 at the most; but a lesser model
+// keeps its own peaks.
+TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
+  const Scene scene{0.6, 0.3, 1000, 1};
+  int finest = 0;
+  for (const Method method : {Method::coupled, Method::first_order})
+    for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
+      const Solution x = solve(scene, {method, Formulation::printed, 200, tolerance});
+      const auto& found = std::get<CoupledSolution>(x.found);
+      int n = found.unknowns;
+      finest = std::max(finest, n);
+      if (method == Method::coupled && n <= 320) n = 3 * n / 2;
+      const Peaks y = largest(smooth_tractions(scene, Formulation::printed, found, n), 0.6);
+      for (const auto peak : all_peaks) EXPECT_EQ(peaks(x).value.*peak, y.*peak) << n;
+    }
+  EXPECT_GT(finest, 320);
+}
+
+// No node of the profile is above the peak by more than its error, and the highest is hardly
+// below: the nodes are at most pi/n apart in the variable of their zone, half of that from the
+// top, and there a curve that changes over a tenth of the zone falls by 100/2 (pi/2n)^2 of itself.
+TEST(Solution, PeaksLieOnTheProfile) {
+  for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
+    for (const double traction : {0.05, 0.3, 0.5, 0.59})
+      for (const double heating : {0.1, 3.0}) {
+        const Solution x =
+            solve({0.6, traction, 300, heating}, {Method::coupled, formulation, 200, 1e-7});
+        const double n = 0.75 * std::get<CoupledSolution>(x.found).unknowns;
+        const double missed = 50 * std::pow(pi / (2 * n), 2);
+        const Profile y = profile(x);
+        const FoundPeaks peak = peaks(x);
+        const auto expect_top = [&](const Eigen::ArrayXd& curve, double Peaks::*which) {
+          const double highest = curve.maxCoeff();
+          EXPECT_LE(highest, peak.value.*which + *peak.error.*which) << traction << ' ' << heating;
+          EXPECT_GE(highest, peak.value.*which * (1 - missed)) << traction << ' ' << heating;
+        };
+        expect_top(y.pressure, &Peaks::pressure);
+        expect_top(y.traction, &Peaks::traction);
+        expect_top(y.heat_flux, &Peaks::heat_flux);
+      }
+}
+
+// With heat and both signs, from one end to the other: steel, where heat matters a little, and a
+// case where it matters much. The errors are of the order of the tolerance.
+TEST(Solution, PeakErrorsCoverATighterSolution) {
+  for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
+    for (const double share : ends)
+      for (const auto& [peclet, heating] : {std::pair{4360.0, 0.0175}, std::pair{100.0, 1.0}}) {
+        const Scene scene{0.6, 0.6 * share, peclet, heating};
+        const FoundPeaks fine = fine_peaks(scene, formulation);
+        for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+          const FoundPeaks x =
+              peaks(solve(scene, {Method::automatic, formulation, 200, tolerance}));
+          for (const auto peak : all_peaks) {
+            EXPECT_NEAR(x.value.*peak, fine.value.*peak, *x.error.*peak + *fine.error.*peak)
+                << share << ' ' << peclet << ' ' << tolerance;
+            EXPECT_LT(*x.error.*peak, 10 * tolerance * x.value.*peak);
+          }
+        }
+      }
+}
+
+// Random cases in SI units, with heat from none to strong, against a tolerance of 1e-9. The error
+// is an estimate: of the numbers that have one, one in a hundred may exceed it and none by ten
+// times.
+TEST(Solution, SiErrorsCoverATighterSolution) {
+  std::mt19937 generator(9);
+  const auto log_uniform = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(generator));
+  };
+  int compared = 0, exceeded = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double friction = log_uniform(0.05, 1), near_end = log_uniform(1e-9, 0.5);
+    const double share = i % 2 == 0 ? near_end : 1 - near_end;
+    const double tolerance = std::pow(10, -2 - i % 5);
+    const Formulation sign = i % 4 < 2 ? Formulation::printed : Formulation::corrected;
+    const Scene drawn{friction, share * friction, log_uniform(0.1, 1e4), log_uniform(1e-6, 2)};
+    const PhysicalCase c = case_of(drawn);
+    const Scene scene = scene_of(c, friction, share * friction);
+    const FoundInSi x = in_si_units(solve(scene, {Method::automatic, sign, 200, tolerance}), c);
+    const FoundInSi fine = in_si_units(solve(scene, {Method::coupled, sign, 200, 1e-9}), c);
+    for (const auto field : all_in_si) {
+      const double most = *x.error.*field + *fine.error.*field + 1e-14 * fine.value.*field;
+      const double off = std::abs(x.value.*field - fine.value.*field);
+      EXPECT_LE(off, 10 * most) << i;
+      ++compared, exceeded += off > most;
+    }
+    EXPECT_EQ(x.error->half_width, 0);
+    EXPECT_EQ(x.error->hertz_pressure, 0);
+  }
+  EXPECT_LE(100 * exceeded, compared);
+}
+
+// The case of a radius, solved loosely, is the case of the half-width from which that radius came:
+// all that is reported of the latter, tightly, lies within the errors of the former.
+TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
+  for (const double load : {1.2e7, 1e8})
+    for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
+      PhysicalCase c = wheel_on_rail();
+      c.load = load, c.expansion *= 10;
+      const Given given{traction, 0.5};
+      const Approach tight{Method::coupled, formulation, 200, 1e-9};
+      const FoundInSi exact = in_si_units(solve(scene_of(c, 0.6, 0.5), tight), c);
+      for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+        const Approach loose{Method::automatic, formulation, 200, tolerance};
+        c.half_width = half_width_of_radius(c, exact.value.radius, 0.6, given, loose);
+        const FoundInSi x = in_si_units(solve(scene_of(c, 0.6, 0.5), loose), c, true);
+        for (const auto field : all_in_si) {
+          EXPECT_NEAR(x.value.*field, exact.value.*field, *x.error.*field + *exact.error.*field);
+          EXPECT_GT(*x.error.*field, 0);
+          EXPECT_LT(*x.error.*field, 5 * tolerance * x.value.*field);
+        }
+        c.half_width = exact.value.half_width;
+      }
+    }
+}
+
+// Without heat p* is its root times a constant, and the heat flux has ten Legendre coefficients in
+// its angle: any grid holds them. The tops are found to the square of the root of rounding error.
+TEST(Solution, PeaksOfTheCoupledSolutionAgreeWithoutHeat) {
+  for (const double q : {0.1, 0.3, 0.5, 0.59}) {
+    const Scene scene{0.6, q, 100, 0};
+    const Peaks exact = peaks(solve(scene, closed_form)).value;
+    const Peaks x = peaks(solve(scene, {Method::coupled})).value;
+    EXPECT_NEAR(x.pressure / exact.pressure, 1, 1e-12) << q;
+    EXPECT_NEAR(x.traction / exact.traction, 1, 1e-12) << q;
+    EXPECT_NEAR(x.heat_flux / exact.heat_flux, 1, 1e-12) << q;
+  }
+}
+
+// The scheme's largest traction is one of the tractions at its nodes, not f times the largest
+// pressure. Where the border is beyond the middle, the traction is largest at the border, and the
+// last node before it or the first behind it is within pi/(n+1) of it, over which f p* changes by
+// its slope, at most f (2/pi) s / sqrt(1 - s^2).
+TEST(Solution, TractionOfTheSchemeIsLargestAtTheBorder) {
+  const Scene scene{0.6, 0.1, 100, 0};
+  const Peaks exact = exact_peaks(scene), x = peaks(solve(scene, scheme)).value;
+  const double c0 = carter(0.6, 0.1).c0, far = c0 + pi / 201;
+  EXPECT_NEAR(x.traction, exact.traction, 0.6 * 2 / pi * far / std::sqrt(1 - far * far) * pi / 201);
+  EXPECT_LT(x.traction, 0.7 * 0.6 * x.pressure);
+}
+
+// The eccentricity pi gamma0 / (2 kappa) of all pairs within the errors of gamma0 and kappa is
+// within its error, which is that of the worst pair to first order.
+TEST(Solution, ErrorOfTheEccentricityIsThatOfItsParts) {
+  const Solution x = solve({0.6, 0.5, 10, 5}, {Method::coupled, Formulation::corrected, 200, 1e-2});
+  double furthest = 0;
+  for (const double gamma0 : {-x.error->gamma0, x.error->gamma0})
+    for (const double kappa : {-x.error->load_ratio, x.error->load_ratio}) {
+      const double other = pi * (x.value.gamma0 + gamma0) / (2 * (x.value.load_ratio + kappa));
+      furthest = std::max(furthest, std::abs(other - x.value.eccentricity));
+    }
+  const double second_order = 2 * x.error->load_ratio / x.value.load_ratio;
+  EXPECT_NEAR(x.error->eccentricity / furthest, 1, second_order);
+  EXPECT_GT(std::abs(x.value.gamma0) / x.value.load_ratio, 10 * second_order);
+}
+
+// At a depth as on the surface, the error of a temperature is the flux's error and that of the
+// integral, 1e-8 of the largest temperature at most, or less where the tolerance is less.
+TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
+  const std::vector<double> at{-0.5, 0, 0.3, 0.7, 0.9, 1, 1.2};
+  for (const double peclet : {100.0, 1e6}) {
+    const Scene scene{0.6, 0.5, peclet, 0.01};
+    for (const double tolerance : {1e-4, 1e-8, 1e-11})
+      for (const Method method : {Method::closed_form, Method::automatic}) {
+        const Solution x = solve(scene, {method, Formulation::corrected, 200, tolerance});
+        const double of_flux = method == Method::closed_form ? 0 : x.error->max_temperature;
+        for (const double depth : {0.0, 0.01})
+          for (const CurvePoint& point : temperature_curve(x, at, depth).points) {
+            const double integral = *point.error - of_flux, top = x.value.max_temperature;
+            EXPECT_GE(*point.error, of_flux);
+            EXPECT_LE(integral, (depth == 0 ? std::min(tolerance, 1e-8) : 1e-9) * top);
+          }
+      }
+  }
+}
+
+TEST(Solution, RefusesWhatIsOutOfRange) {
+  const Scene scene{0.6, 0.5, 100, 0};
+  for (const int nodes : {-1, 0, 2, 5001}) {
+    Approach approach = scheme;
+    approach.nodes = nodes;
+    EXPECT_THROW(solve(scene, approach), std::invalid_argument) << nodes;
+  }
+  for (const double tolerance : {0.0, 9e-12, 1.1e-2}) {
+    Approach approach;
+    approach.tolerance = tolerance;
+    EXPECT_THROW(solve(scene, approach), std::invalid_argument) << tolerance;
+  }
+  EXPECT_THROW(solve(scene, scheme, {creep, 0.1}), std::invalid_argument);
+  EXPECT_THROW(profile(solve(scene, scheme)), std::invalid_argument);
+  EXPECT_THROW(solve({0.6, 0.6, 100, 0}, closed_form), std::invalid_argument);
+  EXPECT_THROW(temperature_curve(solve(scene, scheme), {0}, 0.1), std::invalid_argument);
+  EXPECT_THROW(temperature_curve(solve(scene, closed_form), {0}, -0.1), std::invalid_argument);
+  EXPECT_THROW(half_width_of_radius(wheel_on_rail(), 0, 0.6, {traction, 0.5}, {}),
+               std::invalid_argument);
+}

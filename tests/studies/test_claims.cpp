@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "first_order.hpp"
+#include "reference.hpp"
+#include "studies/claims.hpp"
+#include "studies/figure_data.hpp"
+#include "thermoroll/carter.hpp"
+#include "thermoroll/published_scheme.hpp"
+#include "thermoroll/temperature.hpp"
+
+namespace {
+
+using reference::close;
+using reference::Real;
+using thermoroll::Claim;
+using thermoroll::verdict;
+using thermoroll::verdict_on;
+
+constexpr double friction = 0.6, heating = 0.0175;  // what claims.hpp uses
+
+/// Computed once: two seconds of work.
+const std::vector<Claim>& claims() {
+  static const std::vector<Claim> table = thermoroll::claims();
+  return table;
+}
+
+}  // namespace
+
+// The limit of the scheme has two steps. At a given Pe, n -> infinity leads to the integral
+// equation's first order; that tends to the limit of high speed like 1/sqrt(Pe), which is what N1
+// has in its tail.
+TEST(Claims, FirstOrderEffectIsTheLimitOfTheScheme) {
+  const double scale = friction * heating;
+  for (const double traction : {0.2, 0.5}) {
+    const Real load = thermoroll::first_order_load_change(traction) / scale;
+    const Real gamma0 = thermoroll::first_order_gamma0(traction) / scale;
+    EXPECT_GT(load, 0);
+    EXPECT_LT(gamma0, 0);
+    // Extrapolating the root away, from 1e6 and 1e8, leaves the next order, 1/Pe.
+    const reference::FirstOrder fast = reference::first_order(traction, 1e6L);
+    const reference::FirstOrder faster = reference::first_order(traction, 1e8L);
+    EXPECT_LT(fast.load_loss, faster.load_loss);
+    EXPECT_TRUE(close((10 * faster.load_loss - fast.load_loss) / 9 / load, 1, 1e-6L)) << traction;
+    EXPECT_TRUE(close((10 * faster.gamma0 - fast.gamma0) / 9 / gamma0, 1, 1e-6L)) << traction;
+    // At Pe = 100 and n = 400 the kernel is resolved to (h Pe)^2/24 = 0.03 and f H = 0.01 is the
+    // next order in H.
+    const reference::FirstOrder finite = reference::first_order(traction, 100);
+    thermoroll::PrintedOptions options;
+    options.nodes = 400;
+    const thermoroll::PrintedSolution x = thermoroll::solve_printed(
+        {friction, traction, 100, heating}, thermoroll::Formulation::printed, options);
+    EXPECT_TRUE(close((1 - x.load_ratio) / scale / finite.load_loss, 1, 0.04)) << traction;
+    EXPECT_TRUE(close(x.gamma0 / scale / finite.gamma0, 1, 0.04)) << traction;
+  }
+  // And by hand for Q* = 0.5: (4f/pi^2) int s sqrt((1+s)(s-c0)) ds, good to rounding and 1e-9.
+  const Real b = std::sqrt(1 / 6.0L);
+  const auto moment = [&](bool odd) {
+    return 4 * friction / (reference::pi * reference::pi) *
+           reference::integral(
+               [&](Real left, Real right) {
+                 return (odd ? 1 - right : 1) * std::sqrt((2 * b + left) * left);
+               },
+               2 - 2 * b);
+  };
+  EXPECT_TRUE(close(thermoroll::first_order_load_change(0.5) / (scale * moment(true)), 1, 1e-9));
+  EXPECT_TRUE(close(thermoroll::first_order_gamma0(0.5) * reference::pi / (-scale * moment(false)),
+                    1, 1e-9));
+}
+
+// Rolling concentrates the same heat behind the border. Its maxima at Pe = 1000 are those of the
+// table of Temperature.TableOfMaxima; sliding's is the high-speed limit J/sqrt(2 pi Pe) of a
+// semi-ellipse with J = 2.1883066738, of which 1/Pe times a factor of about 2 is left.
+TEST(Claims, RollingIsHotterThanSliding) {
+  const double tractions[] = {0.2, 0.4, 0.5, 0.59};
+  const double maxima[] = {0.00097207, 0.00302698, 0.00458990, 0.00697107};
+  double previous = INFINITY;
+  for (int i = 0; i < 4; ++i) {
+    const Real b = std::sqrt(1 - static_cast<Real>(tractions[i]) / friction);
+    const Real heat = 2 * friction / reference::pi * (1 - b) * tractions[i] / friction;
+    const Real sliding =
+        heat * 2 / reference::pi * 2.1883066738L / std::sqrt(2 * reference::pi * 1000);
+    const double ratio = thermoroll::rolling_to_sliding(tractions[i]);
+    EXPECT_TRUE(close(ratio, maxima[i] / sliding, 3e-3L * ratio)) << "Q* = " << tractions[i];
+    EXPECT_GT(ratio, 1) << "hotter";
+    EXPECT_LT(ratio, previous) << "and the more so, the smaller the traction";
+    previous = ratio;
+  }
+}
+
+// The wheel on its rail at V = 2 k Pe/a: the converged maxima of Q* = 0.5 in degrees C, to the
+// digit.
+TEST(Claims, CelsiusFollowTheSpeed) {
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(5000) * 0.00205267, 283.7, 0.05));
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(10000) * 0.00145145, 401.3, 0.05));
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(15000) * 0.00118511, 491.4, 0.05));
+}
+
+// The rises are at 75 m/s, and the loads below 700 degrees C are named as those that stay cold.
+TEST(Claims, PhaseTransformationIsJudgedAtEveryLoad) {
+  EXPECT_TRUE(close(thermoroll::celsius_per_unit(75) * 0.00118511, 491.44 * 75 / 76.3636, 0.05));
+  const auto phases = std::find_if(claims().begin(), claims().end(), [](const Claim& c) {
+    return c.claim.find("phase transformation") != std::string::npos;
+  });
+  ASSERT_NE(phases, claims().end());
+  std::string digits = phases->converged;
+  for (char& c : digits)
+    if (c < '0' || c > '9') c = ' ';
+  std::istringstream numbers(digits);
+  const std::vector<double> rises(std::istream_iterator<double>(numbers), {});
+  ASSERT_EQ(rises.size(), 5u) << "four rises and a Péclet number";
+  EXPECT_NEAR(rises[2], 482, 1);
+  EXPECT_LT(rises[2], 700);
+  EXPECT_GT(rises[3], 700);
+  EXPECT_EQ(phases->verdict, "holds, at Q* = 0.2, 0.4, 0.5, not at 0.59");
+}
+
+// The limits of the rule: half a per cent, and half a unit of the paper's last digit.
+TEST(Claims, NumbersHoldToHalfAPerCentOrRounded) {
+  EXPECT_EQ(verdict_on("200", 200), "holds");
+  for (const double sign : {-1.0, 1.0}) {
+    const double inside = 1.5 / (1 + sign * 0.00499), outside = 1.5 / (1 + sign * 0.00501);
+    EXPECT_EQ(verdict_on("1.500", inside), "holds") << sign;
+    EXPECT_EQ(verdict_on("1.500", outside), sign > 0 ? "paper 0.5 % high" : "paper 0.5 % low");
+  }
+  // 0.002 is what 0.0015 ... 0.0025 rounds to, and 25 what 24.5 ... 25.5 does.
+  EXPECT_EQ(verdict_on("0.002", 0.0015001), "holds, rounded");
+  EXPECT_EQ(verdict_on("0.002", 0.0024999), "holds, rounded");
+  EXPECT_EQ(verdict_on("0.002", 0.0014999), "paper 33.3 % high");
+  EXPECT_EQ(verdict_on("0.002", 0.0025001), "paper 20.0 % low");
+  EXPECT_EQ(verdict_on("25", 25.49), "holds, rounded");
+  EXPECT_EQ(verdict_on("25", 25.51), "paper 2.0 % low");
+  EXPECT_EQ(verdict_on("25", 24.49), "paper 2.1 % high");
+  // More digits promise more: the same value, given as 2.0, is not rounded from 2.06.
+  EXPECT_EQ(verdict_on("2", 2.06), "holds, rounded");
+  EXPECT_EQ(verdict_on("2.0", 2.06), "paper 2.9 % low");
+}
+
+TEST(Claims, OnlyWhatHoldsSaysHow) {
+  EXPECT_EQ(verdict(true), "holds");
+  EXPECT_EQ(verdict(false), "does not hold");
+  EXPECT_EQ(verdict(true, "by construction"), "holds, by construction");
+  EXPECT_EQ(verdict(false, "by construction"), "does not hold");
+}
+
+// A reader can redo the verdicts from the other cells: where both the paper's cell and ours are a
+// number, the rule applied to what is printed; where ours is no, it does not hold.
+// An iteration that takes as many steps as its bound still holds; one that has not converged has no
+// number of steps.
+TEST(Claims, StepsHoldUpToTheirBound) {
+  for (const int most : {1, 20}) {
+    EXPECT_EQ(thermoroll::claim_on_steps("c0", most, most, true).verdict, "holds");
+    EXPECT_EQ(thermoroll::claim_on_steps("c0", most, most + 1, true).verdict, "does not hold");
+    EXPECT_EQ(thermoroll::claim_on_steps("c0", most, most, false).verdict, "does not hold");
+    const Claim claim = thermoroll::claim_on_steps("v*", most, 0, true);
+    EXPECT_EQ(claim.paper, std::to_string(most));
+    EXPECT_EQ(claim.claim, "to 0.1 %, at most " + claim.paper + " iterations on v*");
+  }
+}
+
+TEST(Claims, VerdictsFollowFromTheTable) {
+  int numbers = 0, statements = 0;
+  for (const Claim& c : claims()) {
+    SCOPED_TRACE(c.claim);
+    for (const std::string& cell : {c.claim, c.paper, c.printed, c.converged, c.verdict})
+      EXPECT_FALSE(cell.empty());
+    const auto is_number = [](const std::string& cell) {
+      return cell.find_first_not_of("0123456789.") == std::string::npos &&
+             cell.find_first_of("123456789") != std::string::npos;
+    };
+    if (is_number(c.paper) && is_number(c.converged)) {
+      EXPECT_EQ(c.verdict, verdict_on(c.paper, std::stod(c.converged)));
+      ++numbers;
+    } else if (c.paper == "yes" && (c.converged == "yes" || c.converged == "no")) {
+      EXPECT_EQ(c.verdict.substr(0, 5), c.converged == "yes" ? "holds" : "does ");
+      ++statements;
+    }
+  }
+  EXPECT_EQ(numbers, 7) << "H, Pe, V, T*max and three in degrees";
+  EXPECT_EQ(statements, 4) << "variation, and three on slip and stick";
+}
+
+// The paper's counts are bounds for the record, and its errors those of T*max: the largest of the
+// sixteen is no smaller than that of any case, here the last two against the quadrature of the
+// closed form, from which heat moves T*max by about f H/(2 pi) = 0.2 % of it.
+TEST(Claims, RecordIsThatOfTheRuns) {
+  const thermoroll::Record record = thermoroll::scheme_record();
+  EXPECT_TRUE(record.converged);
+  EXPECT_GT(record.coarse_error, record.fine_error);
+  thermoroll::PrintedOptions options;
+  options.tolerance = 1e-3;
+  for (const double traction : {0.2, 0.59}) {
+    const double exact = thermoroll::max_temperature(
+                             thermoroll::carter_flux(thermoroll::carter(friction, traction)), 5000)
+                             .temperature.value;
+    for (const int nodes : {50, 200}) {
+      options.nodes = nodes;
+      const thermoroll::PrintedSolution x = thermoroll::solve_printed(
+          {friction, traction, 5000, heating}, thermoroll::Formulation::printed, options);
+      EXPECT_LE(x.inner_iterations, record.inner);
+      EXPECT_LE(x.outer_iterations, record.outer);
+      const double found = thermoroll::printed_max_temperature(x, 5000).temperature;
+      const double largest = nodes == 50 ? record.coarse_error : record.fine_error;
+      EXPECT_LE(100 * std::abs(found / exact - 1), largest + 0.5) << nodes;
+    }
+  }
+}
+
+// In the report's table a symbol is mathematics: outside of it no asterisk, which Markdown would
+// take for emphasis, and no symbol in plain text is left.
+TEST(Claims, TableIsInTeX) {
+  std::ostringstream table;
+  thermoroll::write_figure_data("claims", table);
+  const std::string text = table.str();
+  std::string outside, part;
+  bool in_formula = false;
+  for (std::istringstream parts(text); std::getline(parts, part, '$'); in_formula = !in_formula)
+    if (!in_formula) outside += part;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(claims().size()) + 1);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '$') % 2, 0);
+  for (const std::string symbol : {"*", "κ", "γ", "c0", "Pe ", " n ", " H ", "|", "$"})
+    EXPECT_EQ(outside.find(symbol), std::string::npos) << symbol;
+  EXPECT_NE(text.find("$T^*_{\\max}$ at $Q^*$ = 0.5"), std::string::npos) << text;
+}

@@ -1,0 +1,218 @@
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "studies/comparison.hpp"
+#include "studies/timings.hpp"
+#include "thermoroll/coupled.hpp"
+#include "thermoroll/published_scheme.hpp"
+#include "thermoroll/scene.hpp"
+#include "thermoroll/temperature.hpp"
+
+namespace {
+
+using thermoroll::Found;
+using thermoroll::Regime;
+using thermoroll::Times;
+
+/// A file with this text, removed at the end.
+class File {
+ public:
+  explicit File(const std::string& text) : path_(testing::TempDir() + "thermoroll-times.json") {
+    std::ofstream(path_) << text;
+  }
+  ~File() { std::remove(path_.c_str()); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+std::string repetition(const std::string& name, double time, const std::string& unit) {
+  std::ostringstream out;
+  out << R"({"name": ")" << name << R"(", "run_name": ")" << name
+      << R"(", "run_type": "iteration", "real_time": 77, "cpu_time": )" << time
+      << R"(, "time_unit": ")" << unit << "\"}";
+  return out.str();
+}
+
+std::string written(const std::string& name, const Times& times) {
+  std::ostringstream out;
+  thermoroll::write_timed_data(name, times, out);
+  return out.str();
+}
+
+/// Every run takes as many milliseconds as given.
+Times every_run(double coupled, double scheme) {
+  Times times{{"temperature_curve/points:400", 1e-3 * coupled},
+              {"temperature_curve_coupled/points:400", 1e-3 * coupled}};
+  for (const char* part : {"rays", "sides", "inverses", "hottest"})
+    times[std::string("part/") + part] = 1e-4 * coupled;
+  for (const Regime& regime : thermoroll::regimes)
+    for (const auto& run : thermoroll::runs(regime))
+      times[run.name] = 1e-3 * (run.method == "coupled" ? coupled : scheme);
+  return times;
+}
+
+}  // namespace
+
+TEST(Timings, MediansOfTheBenchmarksOutput) {
+  const File file(R"({"context": {}, "benchmarks": [)" + repetition("a/n:2", 3, "us") + "," +
+                  repetition("a/n:2", 1, "us") + "," + repetition("a/n:2", 9, "us") + "," +
+                  repetition("b", 2.5, "ms") + "," + repetition("c", 4, "ns") + R"(,
+    {"run_name": "a/n:2", "run_type": "aggregate", "aggregate_name": "mean", "cpu_time": 5,
+     "time_unit": "us"},
+    {"run_name": "d", "run_type": "iteration", "error_occurred": true, "cpu_time": 0,
+     "time_unit": "us"}]})");
+  const Times times = thermoroll::read_times(file.path());
+  ASSERT_EQ(times.size(), 3u);
+  EXPECT_DOUBLE_EQ(times.at("a/n:2"), 3e-6);
+  EXPECT_DOUBLE_EQ(times.at("b"), 2.5e-3);
+  EXPECT_DOUBLE_EQ(times.at("c"), 4e-9);
+}
+
+// Of the repetitions as many are longer than the median as are shorter, in whatever order they ran.
+TEST(Timings, MedianHasAsManyAboveAsBelow) {
+  for (const int repetitions : {1, 3, 5, 7, 9}) {
+    std::string runs;
+    for (int k = 0; k < repetitions; ++k)  // 2 has no common divisor with the odd number: all, once
+      runs += (k > 0 ? "," : "") + repetition("a", 1 + 2 * k % repetitions, "s");
+    const File file(R"({"benchmarks": [)" + runs + "]}");
+    EXPECT_EQ(thermoroll::read_times(file.path()).at("a"), (1 + repetitions) / 2) << repetitions;
+  }
+}
+
+TEST(Timings, RefusesWhatIsNoOutput) {
+  for (const std::string text :
+       {"", "text", "[]", "{}", R"({"benchmarks": [{}]})", R"({"benchmarks": [{"run_name": 1}]})",
+        R"({"benchmarks": [{"run_type": "iteration", "time_unit": "year", "cpu_time": 1,
+            "run_name": "a"}]})"}) {
+    const File file(text);
+    try {
+      thermoroll::read_times(file.path());
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(file.path() + " is not the output of"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+  EXPECT_THROW(thermoroll::read_times("no such file"), std::runtime_error);
+}
+
+TEST(Timings, BarsAreRatiosOfTheirTimes) {
+  const Times times = every_run(1, 150);
+  std::istringstream table(written("bars", times));
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(table, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 7u);
+  const char* endings[] = {"wanted,met",  ",150 ms,1.0 ms,150,200,no",
+                           ",150,50,yes", ",150,2000,no",
+                           ",1,2000,no",  ",150,50,yes",
+                           ",150,50,yes"};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_NE(rows[i].find(endings[i]), std::string::npos) << rows[i];
+}
+
+// The rest is what makes the parts up to the whole.
+TEST(Timings, SharesAddUpToTheWhole) {
+  std::istringstream table(written("shares", every_run(150, 1)));
+  std::string line, last;
+  double sum = 0;
+  for (std::getline(table, line); std::getline(table, line); last = line)
+    sum += std::stod(line.substr(line.rfind(',') + 1));
+  EXPECT_EQ(last, "\"**all**\",150 ms,100 %");
+  EXPECT_NEAR(sum, 200, 3);  // rounded to a per cent each
+}
+
+TEST(Timings, AreWrittenByName) {
+  EXPECT_EQ(written("times", {{"a/n:2", 1.5}, {"b", 1e-6}}), "name,seconds\na/n:2,1.5\nb,1e-06\n");
+}
+
+TEST(Timings, RefuseUnknownNamesAndMissingTimes) {
+  EXPECT_THROW(written("traction", {}), std::invalid_argument);
+  EXPECT_THROW(written("bars", {}), std::runtime_error);
+  EXPECT_THROW(written("speed", {{"closed_form", 1}}), std::runtime_error);
+}
+
+// A run finds what its name says; the cheap ones are enough to see the names read.
+TEST(Comparison, RunsAreWhatTheirNamesSay) {
+  const auto find = [](const Regime& regime, const std::string& name) {
+    for (const auto& run : thermoroll::runs(regime))
+      if (run.name == name) return run.find();
+    ADD_FAILURE() << "no " << name;
+    return Found{};
+  };
+  const Regime& steel = thermoroll::regimes[0];
+  const thermoroll::Scene scene{0.6, 0.5, 4360, 0.0175};
+  const auto sign = thermoroll::Formulation::corrected;
+  const auto coupled = thermoroll::solve_coupled(scene, sign, 1e-4, {thermoroll::traction, 0.5});
+  const Found found = find(steel, "coupled/tol:1e-04/Pe:4360/H:0.0175");
+  EXPECT_EQ(found.load_ratio, coupled.value(thermoroll::load_ratio));
+  EXPECT_EQ(found.hottest, coupled.value(thermoroll::hottest));
+  EXPECT_EQ(found.creep, coupled.value(thermoroll::creep));
+
+  const auto scheme = thermoroll::solve_printed(scene, sign, {25});
+  const Found described = find(steel, "gauss_chebyshev/n:25/Pe:4360/H:0.0175");
+  EXPECT_EQ(described.load_ratio, scheme.load_ratio);
+  EXPECT_EQ(described.creep, scheme.creep);
+  EXPECT_EQ(described.hottest, thermoroll::printed_max_temperature(scheme, 4360).temperature);
+  const Found thrifty = find(steel, "gauss_chebyshev_thrifty/n:25/Pe:4360/H:0.0175");
+  EXPECT_NEAR(thrifty.hottest, described.hottest, 1e-12);
+  const Found means = find(steel, "gauss_chebyshev_moments/n:25/Pe:4360/H:0.0175");
+  EXPECT_GT(means.load_ratio - 1, 10 * (described.load_ratio - 1));
+
+  EXPECT_EQ(find(steel, "closed_form").load_ratio, 1);
+  EXPECT_TRUE(std::isnan(find(steel, "closed_form").hottest));
+  // Heat acts back on the temperature by a share of about f H.
+  EXPECT_NEAR(find(steel, "closed_form/Pe:4360/H:0.0175").hottest, found.hottest,
+              0.6 * 0.0175 * found.hottest);
+}
+
+TEST(Comparison, WhatDoesNotSettleFindsNothing) {
+  int runs = 0;
+  for (const auto& run : thermoroll::runs(thermoroll::regimes[2]))
+    if (run.name == "gauss_chebyshev_thrifty/n:100/Pe:100/H:1") {
+      EXPECT_TRUE(std::isnan(run.find().load_ratio));
+      EXPECT_TRUE(std::isnan(run.find().hottest));
+      ++runs;
+    }
+  EXPECT_EQ(runs, 1);
+}
+
+// Hertz and Carter are constants in the solver's variables: only rounding is left, of at most some
+// hundred sums.
+TEST(Comparison, CarterIsFoundToRounding) {
+  const thermoroll::CarterErrors errors = thermoroll::carter_errors();
+  EXPECT_LT(errors.force, 1e-13);
+  EXPECT_LT(errors.creep, 1e-13);
+  EXPECT_LT(errors.traction, 1e-13);
+  EXPECT_GE(errors.unknowns, 1);
+}
+
+// Ten digits of the uniform unit band's maxima and their places, computed apart from this program;
+// near its maximum the curve is flat, so that the digits of the places do not matter. Blok's
+// factor is 1.111548, which he rounds to 1.11; at finite speed it is off by O(1/sqrt Pe).
+TEST(Comparison, BandsAreJaegersAndBloks) {
+  const double known[][3] = {{0.1, 0.2435, 2.2003300884},
+                             {1, 0.6664, 0.9918504218},
+                             {10, 0.9244, 0.3484997487},
+                             {100, 0.9877, 0.1124363739},
+                             {5000, 0.9996, 0.0159558555}};
+  const thermoroll::HeatFlux uniform{-1, 1, [](double, double) { return 1.0; }};
+  for (const auto& [peclet, at, top] : known) {
+    EXPECT_NEAR(thermoroll::jaeger_band(peclet, at), top, 1e-6 * top) << peclet;
+    const thermoroll::Peak peak = thermoroll::max_temperature(uniform, peclet);
+    EXPECT_NEAR(peak.temperature.value, top, 1e-9) << peclet;
+    EXPECT_NEAR(thermoroll::jaeger_band(peclet, peak.at), peak.temperature.value, 1e-9 * top);
+  }
+  EXPECT_NEAR(thermoroll::blok_factor(1e8), 1.111548, 1e-4);
+}

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Files include what stands beside or below them: the public headers, support, model, solver, studies,
+# and at the top the program and the benchmarks. The headers that are installed include each other only.
+source tests/common.sh
+
+# upward FOLDER...: the includes in these folders that point up, by the list of floors from the lowest.
+upward() {
+  grep -rnE '^#include "' "$@" | awk -F'[:"]' '
+    BEGIN { split("thermoroll support model solver studies program bench", names, " "); for (k in names) floor[names[k]] = k + 0 }
+    {
+      split($1, from, "/")
+      own = from[2] == "include" ? "thermoroll" : from[2]
+      to = substr($4, 1, index($4, "/") - 1)
+      if (!(own in floor) || !(to in floor) || floor[to] > floor[own] || own == "bench" && to == "program") print $1 ": " $4
+    }'
+}
+
+found=$(upward src)
+[ -z "$found" ] || fail "$found"
+! grep -nE '^#include <(nlohmann|CLI|benchmark|thread)' -r src/include src/support src/model src/solver ||
+  fail "the library needs Eigen and GSL and starts no thread"
+
+cd "$work"
+mkdir -p src/{model,solver,include/thermoroll}
+echo '#include "solver/a.hpp"' >src/model/a.cpp
+echo '#include "model/a.hpp"' >src/include/thermoroll/a.hpp
+echo '#include "a.hpp"' >src/solver/a.cpp
+printf '#include "%s"\n' model/a.hpp thermoroll/a.hpp solver/b.hpp >src/solver/b.cpp
+[ "$(upward src | wc -l)" = 3 ] || fail "found: $(upward src)"
