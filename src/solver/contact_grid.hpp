@@ -120,8 +120,7 @@ struct ThermalSides {
   Eigen::MatrixXd f, df, g;
 };
 
-/// These matrices on a grid, for an h of so many terms, by rays of a multiple of four nodes; the
-/// traction of the scene is not used.
+/// These matrices on a grid, for an h of so many terms, by rays of a multiple of four nodes.
 ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
                            Eigen::Index terms, const Rule& rule);
 
