@@ -38,6 +38,12 @@ double K1_regular(double x) {
 
 }  // namespace
 
+double M(double zeta, double eta) {
+  const double r = std::hypot(zeta, eta);
+  const double decay = zeta < 0 ? eta * eta / (r - zeta) : r + zeta;
+  return gsl_sf_bessel_K0_scaled(r) * std::exp(-decay);
+}
+
 double N1(double zeta) {
   if (!(zeta > 0)) return 0;
   if (zeta < epsilon) return 1;
@@ -57,12 +63,6 @@ double N2(double zeta) {
   }
   if (x < far) return 1 / x - (gsl_sf_bessel_K1_scaled(x) - gsl_sf_bessel_K0_scaled(x));
   return (1 - tail(-1 / x) * std::sqrt(pi / (2 * x))) / x;
-}
-
-double M(double zeta, double eta) {
-  const double r = std::hypot(zeta, eta);
-  const double decay = zeta < 0 ? eta * eta / (r - zeta) : r + zeta;
-  return gsl_sf_bessel_K0_scaled(r) * std::exp(-decay);
 }
 
 double N(double zeta, double friction, Formulation formulation) {

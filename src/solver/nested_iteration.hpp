@@ -11,17 +11,6 @@
 /// solve_normal(problem, x), solve_stick(problem, x) and slip_velocity(problem, x) stand beside it.
 namespace thermoroll {
 
-/// No slip, and Carter's border. Throws std::invalid_argument.
-inline PrintedSolution before_iterating(const Scene& scene, const PrintedOptions& options) {
-  check(scene);
-  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
-  PrintedSolution x;
-  x.grid = gauss_chebyshev(options.nodes);
-  x.c0 = carter(scene.friction, scene.traction).c0;
-  x.slip = Eigen::VectorXd::Zero(options.nodes);
-  return x;
-}
-
 /// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in x.
 template <class Problem>
 bool find_border(Problem& problem, PrintedSolution& x, const PrintedOptions& options) {
@@ -53,6 +42,17 @@ void iterate(Problem& problem, PrintedSolution& x, const PrintedOptions& options
     x.converged = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
   }
   x.creep = x.creep_constant - problem.scene.friction * x.gamma0;
+}
+
+/// No slip, and Carter's border. Throws std::invalid_argument.
+inline PrintedSolution before_iterating(const Scene& scene, const PrintedOptions& options) {
+  check(scene);
+  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
+  PrintedSolution x;
+  x.grid = gauss_chebyshev(options.nodes);
+  x.c0 = carter(scene.friction, scene.traction).c0;
+  x.slip = Eigen::VectorXd::Zero(options.nodes);
+  return x;
 }
 
 }  // namespace thermoroll

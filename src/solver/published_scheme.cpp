@@ -1,4 +1,4 @@
-// Tangled from paper/07-printed-scheme.md, paper/13-where-methods-fail.md; edit there.
+// Tangled from paper/07-printed-scheme.md; edit there.
 #include "thermoroll/published_scheme.hpp"
 
 #include <cmath>
@@ -13,25 +13,6 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-Grid gauss_chebyshev(int n) {
-  const double h = pi / (n + 1);
-  const ArrayXd node = h * ArrayXd::LinSpaced(n, 1, n);
-  const ArrayXd point = h * ArrayXd::LinSpaced(n + 1, 0.5, n + 0.5);
-  return {node.cos(), h * node.sin().square(), point.cos()};
-}
-
-MatrixXd cauchy_matrix(const Grid& g) {
-  const Index n = g.t.size();
-  const auto distance = g.t.transpose().replicate(n + 1, 1) - g.s.replicate(1, n);
-  return g.w.transpose().replicate(n + 1, 1).cwiseQuotient(distance) / pi;
-}
-
-VectorXd hot_slip(const PrintedSolution& x) {
-  return (x.grid.t.array() > x.c0).select(x.grid.w.cwiseProduct(x.slip), 0);
-}
-
-VectorXd node_heat(const PrintedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
 
 namespace {
 
@@ -53,18 +34,6 @@ MatrixXd slope_matrix(const Problem& problem, const PrintedSolution& x) {
          hot_slip(x).asDiagonal();
 }
 
-/// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
-double rigid_strain(const Problem& problem, const PrintedSolution& x, double s) {
-  const auto& [friction, traction, peclet, heating] = problem.scene;
-  const VectorXd heat = node_heat(x);
-  double sum = 0;
-  for (Index k = 0; k < heat.size() && x.grid.t(k) > x.c0; ++k) {
-    const double z = peclet * (x.grid.t(k) - s);
-    sum += heat(k) * (z == 0 ? problem.coincident : kernel::N(z, friction, problem.formulation));
-  }
-  return 2 * friction / pi * x.load_ratio * s - friction * peclet * heating * sum;
-}
-
 /// Solve @eq:discrete-normal and @eq:discrete-load for phi, gamma0 and kappa.
 void solve_normal(const Problem& problem, PrintedSolution& x) {
   const auto& [t, w, s] = x.grid;
@@ -76,6 +45,18 @@ void solve_normal(const Problem& problem, PrintedSolution& x) {
   x.phi = unknown.head(n);
   x.gamma0 = unknown(n);
   x.load_ratio = unknown(n + 1);
+}
+
+/// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
+double rigid_strain(const Problem& problem, const PrintedSolution& x, double s) {
+  const auto& [friction, traction, peclet, heating] = problem.scene;
+  const VectorXd heat = node_heat(x);
+  double sum = 0;
+  for (Index k = 0; k < heat.size() && x.grid.t(k) > x.c0; ++k) {
+    const double z = peclet * (x.grid.t(k) - s);
+    sum += heat(k) * (z == 0 ? problem.coincident : kernel::N(z, friction, problem.formulation));
+  }
+  return 2 * friction / pi * x.load_ratio * s - friction * peclet * heating * sum;
 }
 
 /// Solve @eq:discrete-stick for phi0 and the constant C.
@@ -117,6 +98,25 @@ double interpolate(const Grid& g, const VectorXd& values, double at) {
 }
 
 }  // namespace
+
+Grid gauss_chebyshev(int n) {
+  const double h = pi / (n + 1);
+  const ArrayXd node = h * ArrayXd::LinSpaced(n, 1, n);
+  const ArrayXd point = h * ArrayXd::LinSpaced(n + 1, 0.5, n + 0.5);
+  return {node.cos(), h * node.sin().square(), point.cos()};
+}
+
+MatrixXd cauchy_matrix(const Grid& g) {
+  const Index n = g.t.size();
+  const auto distance = g.t.transpose().replicate(n + 1, 1) - g.s.replicate(1, n);
+  return g.w.transpose().replicate(n + 1, 1).cwiseQuotient(distance) / pi;
+}
+
+VectorXd hot_slip(const PrintedSolution& x) {
+  return (x.grid.t.array() > x.c0).select(x.grid.w.cwiseProduct(x.slip), 0);
+}
+
+VectorXd node_heat(const PrintedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
 
 PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
                               const PrintedOptions& options) {

@@ -16,6 +16,30 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// N1 and N2 from each of the first nodes at a point.
+struct KernelRow {
+  ArrayXd n1, n2;
+};
+
+KernelRow sampled(const Grid& g, double peclet, double s, Index count) {
+  KernelRow row{ArrayXd::Zero(count), ArrayXd::Zero(count)};
+  for (Index k = 0; k < count; ++k)
+    if (const double zeta = peclet * (g.t(k) - s); zeta != 0) {
+      const auto [n1, n2] = fast_slope_and_strain(zeta);
+      row.n1(k) = n1, row.n2(k) = n2;
+    }
+  return row;
+}
+
+/// Means under the hats of the inner knots, all given as zeta = Pe (t - s), descending, of the
+/// kernel whose second antiderivative is given.
+ArrayXd under_hats(const ArrayXd& zeta, double (*twice)(double)) {
+  const Index n = zeta.size() - 2;
+  const ArrayXd b = zeta.unaryExpr(twice), length = zeta.head(n + 1) - zeta.tail(n + 1);
+  const ArrayXd slope = (b.head(n + 1) - b.tail(n + 1)) / length;
+  return 2 * (slope.head(n) - slope.tail(n)) / (length.head(n) + length.tail(n));
+}
+
 double slope_twice(double zeta) {
   if (zeta <= 0) return 0;
   const double n1 = fast_slope_and_strain(zeta).n1;
@@ -33,30 +57,6 @@ double temperature_twice(double zeta) {
   if (zeta == 0) return 0;
   const double n2 = fast_slope_and_strain(zeta).n2, m = fast_temperature(zeta);
   return zeta / 3 * (1 + 2 * zeta * (2 * m - n2) + n2 - m);
-}
-
-/// Means under the hats of the inner knots, all given as zeta = Pe (t - s), descending, of the
-/// kernel whose second antiderivative is given.
-ArrayXd under_hats(const ArrayXd& zeta, double (*twice)(double)) {
-  const Index n = zeta.size() - 2;
-  const ArrayXd b = zeta.unaryExpr(twice), length = zeta.head(n + 1) - zeta.tail(n + 1);
-  const ArrayXd slope = (b.head(n + 1) - b.tail(n + 1)) / length;
-  return 2 * (slope.head(n) - slope.tail(n)) / (length.head(n) + length.tail(n));
-}
-
-/// N1 and N2 from each of the first nodes at a point.
-struct KernelRow {
-  ArrayXd n1, n2;
-};
-
-KernelRow sampled(const Grid& g, double peclet, double s, Index count) {
-  KernelRow row{ArrayXd::Zero(count), ArrayXd::Zero(count)};
-  for (Index k = 0; k < count; ++k)
-    if (const double zeta = peclet * (g.t(k) - s); zeta != 0) {
-      const auto [n1, n2] = fast_slope_and_strain(zeta);
-      row.n1(k) = n1, row.n2(k) = n2;
-    }
-  return row;
 }
 
 /// Pe (t - s) for the first nodes and their neighbours, the ends of the contact among them.
@@ -104,8 +104,6 @@ Kept keep(const Scene& scene, Formulation formulation, NodeKernel kernel, const 
   return kept;
 }
 
-Index hot_nodes(const PrintedSolution& x) { return (x.grid.t.array() > x.c0).count(); }
-
 void solve_normal(Kept& kept, PrintedSolution& x) {
   const VectorXd slip = hot_slip(x);
   if (kept.solved_for.size() > 0 && slip == kept.solved_for) return;
@@ -118,6 +116,8 @@ void solve_normal(Kept& kept, PrintedSolution& x) {
   x.gamma0 = unknown(n);
   x.load_ratio = unknown(n + 1);
 }
+
+Index hot_nodes(const PrintedSolution& x) { return (x.grid.t.array() > x.c0).count(); }
 
 void solve_stick(const Kept& kept, PrintedSolution& x) {
   const Index n = x.grid.t.size(), hot = hot_nodes(x);

@@ -11,51 +11,23 @@
 
 namespace thermoroll {
 
-std::string verdict_on(const std::string& paper, double ours) {
-  const double percent = 100 * (std::stod(paper) / ours - 1);
-  if (std::abs(percent) < 0.5) return "holds";
-  const std::size_t point = paper.find('.');
-  const std::size_t decimals = point == paper.npos ? 0 : paper.size() - point - 1;
-  if (fixed(ours, static_cast<int>(decimals)) == paper) return "holds, rounded";
-  return "paper " + fixed(std::abs(percent), 1) + " % " + (percent > 0 ? "high" : "low");
-}
-
-std::string verdict(bool holds, const std::string& how) {
-  if (!holds) return "does not hold";
-  return how.empty() ? "holds" : "holds, " + how;
-}
-
-Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
-  const std::string bound = std::to_string(most);
-  return {"to 0.1 %, at most " + bound + " iterations on " + unknown, bound, std::to_string(found),
-          "–", verdict(converged && found <= most)};
-}
-
-double speed_at(double pe) {
-  const PhysicalCase steel = wheel_on_rail();
-  return 2 * steel.diffusivity * pe / steel.half_width;
-}
-
-double celsius_per_unit(double speed) {
-  PhysicalCase steel = wheel_on_rail();
-  steel.speed = speed;
-  return units_of(steel, paper::friction).temperature;
-}
-
-double celsius_per_unit_at(double pe) { return celsius_per_unit(speed_at(pe)); }
-
-double rolling_to_sliding(double q) {
-  const Carter c = paper::closed_form(q);
-  return max_temperature(carter_flux(c), 1000).temperature.value /
-         max_temperature(sliding_flux(carter_heat(c)), 1000).temperature.value;
-}
-
 namespace {
 
 using Claims = std::vector<Claim>;
 using Eigen::ArrayXd;
 
 std::string yes(bool holds) { return holds ? "yes" : "no"; }
+
+/// The integral of s^power v* p* / sqrt(1 - s^2) over Carter's slip zone, @eq:first-order.
+double moment(const Carter& c, int power) {
+  const HeatFlux flux = carter_flux(c);
+  const double length = flux.to - flux.from;
+  const auto integrand = [&](double left) {
+    const double right = length - left, s = flux.from + left;
+    return std::pow(s, power) * flux.density(left, right) / std::sqrt(right * (1 + s));
+  };
+  return integrate(integrand, {0, length}).value;
+}
 
 struct Case {
   double traction, peclet;
@@ -238,17 +210,6 @@ Claims on_the_iteration(const std::vector<Case>& cases) {
            "–", verdict(x.converged, exact ? "" : "for the iteration, not for T*max")}};
 }
 
-/// The integral of s^power v* p* / sqrt(1 - s^2) over Carter's slip zone, @eq:first-order.
-double moment(const Carter& c, int power) {
-  const HeatFlux flux = carter_flux(c);
-  const double length = flux.to - flux.from;
-  const auto integrand = [&](double left) {
-    const double right = length - left, s = flux.from + left;
-    return std::pow(s, power) * flux.density(left, right) / std::sqrt(right * (1 + s));
-  };
-  return integrate(integrand, {0, length}).value;
-}
-
 }  // namespace
 
 double first_order_load_change(double q) {
@@ -261,7 +222,46 @@ double first_order_gamma0(double q) {
   return -sign * paper::friction * paper::heating / pi * moment(paper::closed_form(q), 0);
 }
 
+std::string verdict_on(const std::string& paper, double ours) {
+  const double percent = 100 * (std::stod(paper) / ours - 1);
+  if (std::abs(percent) < 0.5) return "holds";
+  const std::size_t point = paper.find('.');
+  const std::size_t decimals = point == paper.npos ? 0 : paper.size() - point - 1;
+  if (fixed(ours, static_cast<int>(decimals)) == paper) return "holds, rounded";
+  return "paper " + fixed(std::abs(percent), 1) + " % " + (percent > 0 ? "high" : "low");
+}
+
+std::string verdict(bool holds, const std::string& how) {
+  if (!holds) return "does not hold";
+  return how.empty() ? "holds" : "holds, " + how;
+}
+
+double speed_at(double pe) {
+  const PhysicalCase steel = wheel_on_rail();
+  return 2 * steel.diffusivity * pe / steel.half_width;
+}
+
+double celsius_per_unit(double speed) {
+  PhysicalCase steel = wheel_on_rail();
+  steel.speed = speed;
+  return units_of(steel, paper::friction).temperature;
+}
+
+double celsius_per_unit_at(double pe) { return celsius_per_unit(speed_at(pe)); }
+
+double rolling_to_sliding(double q) {
+  const Carter c = paper::closed_form(q);
+  return max_temperature(carter_flux(c), 1000).temperature.value /
+         max_temperature(sliding_flux(carter_heat(c)), 1000).temperature.value;
+}
+
 Record scheme_record() { return record_of(sixteen_cases()); }
+
+Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
+  const std::string bound = std::to_string(most);
+  return {"to 0.1 %, at most " + bound + " iterations on " + unknown, bound, std::to_string(found),
+          "–", verdict(converged && found <= most)};
+}
 
 std::vector<Claim> claims() {
   const std::vector<Case> cases = sixteen_cases();

@@ -71,6 +71,32 @@ Run coupled_run(const Scene& scene, double tolerance) {
 
 }  // namespace
 
+std::vector<Sample> random_scenes(int count) {
+  std::mt19937_64 random(20020101);
+  const auto log_uniform = [&](double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  std::vector<Sample> scenes;
+  for (int i = 0; i < count; ++i) {
+    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
+    const Scene scene{f, f * share, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+    scenes.push_back({scene, random() % 2 ? Formulation::printed : Formulation::corrected});
+  }
+  return scenes;
+}
+
+std::vector<std::pair<Scene, Run>> cost_runs() {
+  std::vector<std::pair<Scene, Run>> all;
+  for (const double heating : {0.0175, 1.0})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      for (int decade = -1; decade <= 6; ++decade) {
+        const double peclet = std::pow(10, decade);
+        const Scene scene{paper::friction, 0.5, peclet, heating};
+        all.emplace_back(scene, coupled_run(scene, tolerance));
+      }
+  return all;
+}
+
 std::vector<Run> runs(const Regime& regime) {
   const Scene scene{paper::friction, 0.5, regime.peclet, regime.heating};
   const std::string at = where(scene);
@@ -91,32 +117,6 @@ std::vector<Run> runs(const Regime& regime) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})
     all.push_back(coupled_run(scene, tolerance));
   return all;
-}
-
-std::vector<std::pair<Scene, Run>> cost_runs() {
-  std::vector<std::pair<Scene, Run>> all;
-  for (const double heating : {0.0175, 1.0})
-    for (const double tolerance : {1e-4, 1e-6, 1e-8})
-      for (int decade = -1; decade <= 6; ++decade) {
-        const double peclet = std::pow(10, decade);
-        const Scene scene{paper::friction, 0.5, peclet, heating};
-        all.emplace_back(scene, coupled_run(scene, tolerance));
-      }
-  return all;
-}
-
-std::vector<Sample> random_scenes(int count) {
-  std::mt19937_64 random(20020101);
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
-  std::vector<Sample> scenes;
-  for (int i = 0; i < count; ++i) {
-    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
-    const Scene scene{f, f * share, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
-    scenes.push_back({scene, random() % 2 ? Formulation::printed : Formulation::corrected});
-  }
-  return scenes;
 }
 
 Found reference(const Regime& regime) {
