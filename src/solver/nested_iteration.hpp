@@ -1,4 +1,4 @@
-// Tangled from paper/07-printed-scheme.md; edit there.
+// Tangled from paper/07-published-scheme.md; edit there.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace thermoroll {
 
 /// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in x.
 template <class Problem>
-bool find_border(Problem& problem, PrintedSolution& x, const PrintedOptions& options) {
+bool find_border(Problem& problem, PublishedSolution& x, const PublishedOptions& options) {
   const double wanted = problem.scene.friction - problem.scene.traction;
   for (int step = 1; step <= options.max_inner; ++step) {
     x.inner_iterations = std::max(x.inner_iterations, step);
@@ -29,7 +29,7 @@ bool find_border(Problem& problem, PrintedSolution& x, const PrintedOptions& opt
 }
 
 template <class Problem>
-void iterate(Problem& problem, PrintedSolution& x, const PrintedOptions& options) {
+void iterate(Problem& problem, PublishedSolution& x, const PublishedOptions& options) {
   int failures = 0;
   while (!x.converged && failures < options.max_failures &&
          x.outer_iterations < options.max_outer) {
@@ -45,10 +45,10 @@ void iterate(Problem& problem, PrintedSolution& x, const PrintedOptions& options
 }
 
 /// No slip, and Carter's border. Throws std::invalid_argument.
-inline PrintedSolution before_iterating(const Scene& scene, const PrintedOptions& options) {
+inline PublishedSolution before_iterating(const Scene& scene, const PublishedOptions& options) {
   check(scene);
   require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
-  PrintedSolution x;
+  PublishedSolution x;
   x.grid = gauss_chebyshev(options.nodes);
   x.c0 = carter(scene.friction, scene.traction).c0;
   x.slip = Eigen::VectorXd::Zero(options.nodes);

@@ -1,4 +1,4 @@
-// Tangled from paper/07-printed-scheme.md; edit there.
+// Tangled from paper/07-published-scheme.md; edit there.
 #include "thermoroll/published_scheme.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ struct Problem {
 };
 
 /// eps f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is not hot.
-MatrixXd slope_matrix(const Problem& problem, const PrintedSolution& x) {
+MatrixXd slope_matrix(const Problem& problem, const PublishedSolution& x) {
   const auto& [friction, traction, peclet, heating] = problem.scene;
   const auto& [t, w, s] = x.grid;
   MatrixXd n1 = MatrixXd::Zero(s.size(), t.size());
@@ -35,7 +35,7 @@ MatrixXd slope_matrix(const Problem& problem, const PrintedSolution& x) {
 }
 
 /// Solve @eq:discrete-normal and @eq:discrete-load for phi, gamma0 and kappa.
-void solve_normal(const Problem& problem, PrintedSolution& x) {
+void solve_normal(const Problem& problem, PublishedSolution& x) {
   const auto& [t, w, s] = x.grid;
   const Index n = t.size();
   MatrixXd a(n + 2, n + 2);
@@ -48,7 +48,7 @@ void solve_normal(const Problem& problem, PrintedSolution& x) {
 }
 
 /// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
-double rigid_strain(const Problem& problem, const PrintedSolution& x, double s) {
+double rigid_strain(const Problem& problem, const PublishedSolution& x, double s) {
   const auto& [friction, traction, peclet, heating] = problem.scene;
   const VectorXd heat = node_heat(x);
   double sum = 0;
@@ -60,7 +60,7 @@ double rigid_strain(const Problem& problem, const PrintedSolution& x, double s) 
 }
 
 /// Solve @eq:discrete-stick for phi0 and the constant C.
-void solve_stick(const Problem& problem, PrintedSolution& x) {
+void solve_stick(const Problem& problem, PublishedSolution& x) {
   const Index n = x.grid.t.size();
   const double a0 = (1 + x.c0) / 2, b0 = (1 - x.c0) / 2;
   MatrixXd a(n + 1, n + 1);
@@ -73,7 +73,7 @@ void solve_stick(const Problem& problem, PrintedSolution& x) {
 }
 
 /// v* at the nodes of the slip zone, @eq:discrete-slip; zero at the others.
-VectorXd slip_velocity(const Problem& problem, const PrintedSolution& x) {
+VectorXd slip_velocity(const Problem& problem, const PublishedSolution& x) {
   const auto& [t, w, s] = x.grid;
   const VectorXd mass = w.cwiseProduct(x.phi0) / pi;
   VectorXd v = VectorXd::Zero(t.size());
@@ -112,22 +112,22 @@ MatrixXd cauchy_matrix(const Grid& g) {
   return g.w.transpose().replicate(n + 1, 1).cwiseQuotient(distance) / pi;
 }
 
-VectorXd hot_slip(const PrintedSolution& x) {
+VectorXd hot_slip(const PublishedSolution& x) {
   return (x.grid.t.array() > x.c0).select(x.grid.w.cwiseProduct(x.slip), 0);
 }
 
-VectorXd node_heat(const PrintedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
+VectorXd node_heat(const PublishedSolution& x) { return hot_slip(x).cwiseProduct(x.phi); }
 
-PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
-                              const PrintedOptions& options) {
-  PrintedSolution x = before_iterating(scene, options);
+PublishedSolution solve_published(const Scene& scene, Formulation formulation,
+                                  const PublishedOptions& options) {
+  PublishedSolution x = before_iterating(scene, options);
   const double self = -slope_sign(formulation) * scene.friction * options.heaviside_at_zero;
   const Problem problem{scene, formulation, cauchy_matrix(x.grid), self};
   iterate(problem, x, options);
   return x;
 }
 
-double printed_temperature(const PrintedSolution& x, double peclet, double s) {
+double published_temperature(const PublishedSolution& x, double peclet, double s) {
   const VectorXd heat = node_heat(x);
   double sum = 0;
   for (Index k = 0; k < heat.size(); ++k)
@@ -135,35 +135,35 @@ double printed_temperature(const PrintedSolution& x, double peclet, double s) {
   return sum / pi;
 }
 
-PrintedPeak printed_max_temperature(const PrintedSolution& x, double peclet) {
-  PrintedPeak peak{0, 0};
+PublishedPeak published_max_temperature(const PublishedSolution& x, double peclet) {
+  PublishedPeak peak{0, 0};
   for (const double s : x.grid.s) {
-    const double value = printed_temperature(x, peclet, s);
+    const double value = published_temperature(x, peclet, s);
     if (value > peak.temperature) peak = {s, value};
   }
   return peak;
 }
 
-double printed_pressure(const PrintedSolution& x, double s) {
+double published_pressure(const PublishedSolution& x, double s) {
   if (std::abs(s) >= 1) return 0;
   return interpolate(x.grid, x.phi, s) * std::sqrt((1 - s) * (1 + s));
 }
 
-double printed_traction(const PrintedSolution& x, double friction, double s) {
-  const double sliding = friction * printed_pressure(x, s);
+double published_traction(const PublishedSolution& x, double friction, double s) {
+  const double sliding = friction * published_pressure(x, s);
   if (s <= -1 || s >= x.c0) return sliding;
   const double tau = (2 * s + 1 - x.c0) / (1 + x.c0);
   return sliding + interpolate(x.grid, x.phi0, tau) * std::sqrt((1 - tau) * (1 + tau));
 }
 
-Factors factors(const PrintedSolution& x, double friction) {
+Factors factors(const PublishedSolution& x, double friction) {
   const Index n = x.grid.t.size(), slips = (x.grid.t.array() > x.c0).count();
   const double a0 = (1 + x.c0) / 2;
   const ArrayXd t = x.grid.t.head(slips).reverse();
   ArrayXd s(n + slips), pressure(n + slips), slip(n + slips);
   s << a0 * (1 + x.grid.t.reverse().array()) - 1, t;
   for (Index i = 0; i < s.size(); ++i)
-    pressure(i) = printed_pressure(x, s(i)) / std::sqrt((1 - s(i)) * (1 + s(i)));
+    pressure(i) = published_pressure(x, s(i)) / std::sqrt((1 - s(i)) * (1 + s(i)));
   slip << -x.phi0.reverse().array() / a0,
       x.slip.head(slips).reverse().array() / ((1 + t) * (t - x.c0)).sqrt();
   return {friction, x.c0, x.load_ratio, s, pressure, slip};

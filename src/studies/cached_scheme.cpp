@@ -71,7 +71,7 @@ KernelRow averaged(const Grid& g, double peclet, double s, Index count) {
   return {under_hats(zeta, slope_twice), under_hats(zeta, strain_twice)};
 }
 
-struct Kept {
+struct CachedProblem {
   Scene scene;
   Formulation formulation;
   KernelRow (*row)(const Grid&, double peclet, double s, Index count);
@@ -83,13 +83,13 @@ struct Kept {
 };
 
 /// f Pe H N from each of the first nodes at the point s, @eq:N.
-ArrayXd strain_row(const Kept& kept, const Grid& g, double s, Index count) {
-  const auto& [friction, traction, peclet, heating] = kept.scene;
-  const auto [n1, n2] = kept.row(g, peclet, s, count);
-  return friction * peclet * heating * (n2 / pi - slope_sign(kept.formulation) * friction * n1);
+ArrayXd strain_row(const CachedProblem& cached, const Grid& g, double s, Index count) {
+  const auto& [friction, traction, peclet, heating] = cached.scene;
+  const auto [n1, n2] = cached.row(g, peclet, s, count);
+  return friction * peclet * heating * (n2 / pi - slope_sign(cached.formulation) * friction * n1);
 }
 
-Kept keep(const Scene& scene, Formulation formulation, NodeKernel kernel, const Grid& g) {
+CachedProblem cache(const Scene& scene, Formulation formulation, NodeKernel kernel, const Grid& g) {
   const Index n = g.t.size();
   const double strength = slope_sign(formulation) * scene.friction * scene.peclet * scene.heating;
   MatrixXd normal(n + 2, n + 2), stick(n + 1, n + 1);
@@ -97,48 +97,48 @@ Kept keep(const Scene& scene, Formulation formulation, NodeKernel kernel, const 
   stick << cauchy_matrix(g), VectorXd::Constant(n + 1, -1);
   const auto row = kernel == NodeKernel::sample ? sampled : averaged;
   MatrixXd slope(n + 1, n), strain(n, n);
-  Kept kept{scene, formulation, row, normal, slope, strain, stick.partialPivLu(), {}};
+  CachedProblem cached{scene, formulation, row, normal, slope, strain, stick.partialPivLu(), {}};
   for (Index m = 0; m <= n; ++m)
-    kept.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
-  for (Index j = 0; j < n; ++j) kept.strain.row(j) = strain_row(kept, g, g.t(j), n).transpose();
-  return kept;
+    cached.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
+  for (Index j = 0; j < n; ++j) cached.strain.row(j) = strain_row(cached, g, g.t(j), n).transpose();
+  return cached;
 }
 
-void solve_normal(Kept& kept, PrintedSolution& x) {
+void solve_normal(CachedProblem& cached, PublishedSolution& x) {
   const VectorXd slip = hot_slip(x);
-  if (kept.solved_for.size() > 0 && slip == kept.solved_for) return;
-  kept.solved_for = slip;
+  if (cached.solved_for.size() > 0 && slip == cached.solved_for) return;
+  cached.solved_for = slip;
   const Index n = slip.size();
-  MatrixXd a = kept.normal;
-  a.topLeftCorner(n + 1, n) += kept.slope * slip.asDiagonal();
+  MatrixXd a = cached.normal;
+  a.topLeftCorner(n + 1, n) += cached.slope * slip.asDiagonal();
   const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
   x.phi = unknown.head(n);
   x.gamma0 = unknown(n);
   x.load_ratio = unknown(n + 1);
 }
 
-Index hot_nodes(const PrintedSolution& x) { return (x.grid.t.array() > x.c0).count(); }
+Index hot_nodes(const PublishedSolution& x) { return (x.grid.t.array() > x.c0).count(); }
 
-void solve_stick(const Kept& kept, PrintedSolution& x) {
+void solve_stick(const CachedProblem& cached, PublishedSolution& x) {
   const Index n = x.grid.t.size(), hot = hot_nodes(x);
   const VectorXd heat = node_heat(x).head(hot);
   VectorXd right = (1 + x.c0) / 2 * x.grid.s.array() - (1 - x.c0) / 2;
   for (double& s : right)
-    s = 2 * kept.scene.friction / pi * x.load_ratio * s -
-        strain_row(kept, x.grid, s, hot).matrix().dot(heat);
-  const VectorXd unknown = kept.stick.solve(right);
+    s = 2 * cached.scene.friction / pi * x.load_ratio * s -
+        strain_row(cached, x.grid, s, hot).matrix().dot(heat);
+  const VectorXd unknown = cached.stick.solve(right);
   x.phi0 = unknown.head(n);
   x.creep_constant = unknown(n);
 }
 
-VectorXd slip_velocity(const Kept& kept, const PrintedSolution& x) {
+VectorXd slip_velocity(const CachedProblem& cached, const PublishedSolution& x) {
   const auto& [t, w, s] = x.grid;
   const Index hot = hot_nodes(x);
   const VectorXd mass = w.cwiseProduct(x.phi0) / pi;
   VectorXd v = VectorXd::Zero(t.size());
-  const double slope = 2 * kept.scene.friction / pi * x.load_ratio;
+  const double slope = 2 * cached.scene.friction / pi * x.load_ratio;
   v.head(hot) = x.creep_constant + slope * t.head(hot).array();
-  v.head(hot) -= kept.strain.topLeftCorner(hot, hot) * node_heat(x).head(hot);
+  v.head(hot) -= cached.strain.topLeftCorner(hot, hot) * node_heat(x).head(hot);
   for (Index j = 0; j < hot; ++j) {
     const double tau = (2 * t(j) + 1 - x.c0) / (1 + x.c0);
     v(j) -= (mass.array() / (t.array() - tau)).sum();
@@ -148,19 +148,19 @@ VectorXd slip_velocity(const Kept& kept, const PrintedSolution& x) {
 
 }  // namespace
 
-PrintedSolution solve_thrifty(const Scene& scene, Formulation formulation, NodeKernel kernel,
-                              const PrintedOptions& options) {
+PublishedSolution solve_cached(const Scene& scene, Formulation formulation, NodeKernel kernel,
+                               const PublishedOptions& options) {
   require(options.heaviside_at_zero == 0, "heaviside_at_zero", options.heaviside_at_zero, "zero");
-  PrintedSolution x = before_iterating(scene, options);
-  Kept kept = keep(scene, formulation, kernel, x.grid);
-  iterate(kept, x, options);
+  PublishedSolution x = before_iterating(scene, options);
+  CachedProblem cached = cache(scene, formulation, kernel, x.grid);
+  iterate(cached, x, options);
   return x;
 }
 
-PrintedPeak thrifty_max_temperature(const PrintedSolution& x, double peclet, NodeKernel kernel) {
+PublishedPeak cached_max_temperature(const PublishedSolution& x, double peclet, NodeKernel kernel) {
   const Index hot = hot_nodes(x);
   const ArrayXd heat = node_heat(x).head(hot);
-  PrintedPeak peak{0, 0};
+  PublishedPeak peak{0, 0};
   for (const double s : x.grid.s) {
     const ArrayXd zeta = knots(x.grid, peclet, s, hot);
     const ArrayXd m = kernel == NodeKernel::mean

@@ -31,7 +31,7 @@ double moment(const Carter& c, int power) {
 
 struct Case {
   double traction, peclet;
-  PrintedSolution coarse, fine;  // by the published scheme, n = 50 and 200
+  PublishedSolution coarse, fine;  // by the published scheme, n = 50 and 200
   CoupledSolution coupled;
   Profile profile;  // of the coupled solution
 };
@@ -112,7 +112,7 @@ Claim on_phases() {
 
 Claims on_variation(const std::vector<Case>& cases) {
   const auto of_scheme = [](const Case& x) {
-    return printed_max_temperature(x.fine, x.peclet).temperature;
+    return published_max_temperature(x.fine, x.peclet).temperature;
   };
   const bool scheme = rises(cases, of_scheme);
   const bool converged = rises(cases, [](const Case& x) { return x.coupled.value(hottest); });
@@ -132,10 +132,10 @@ bool positive_behind(double c0, const ArrayXd& s, const ArrayXd& slip) {
   return (s <= c0 || slip > 0).all();
 }
 
-bool below_the_limit(const PrintedSolution& x) {
+bool below_the_limit(const PublishedSolution& x) {
   return std::all_of(x.grid.s.begin(), x.grid.s.end(), [&](double s) {
-    const double q = printed_traction(x, paper::friction, s);
-    return s >= x.c0 || std::abs(q) < paper::friction * printed_pressure(x, s);
+    const double q = published_traction(x, paper::friction, s);
+    return s >= x.c0 || std::abs(q) < paper::friction * published_pressure(x, s);
   });
 }
 
@@ -145,11 +145,11 @@ bool below_the_limit(double c0, const Profile& x) {
 
 Claims on_slip(const std::vector<Case>& cases) {
   const bool zero_scheme = every_run(
-      cases, [](const PrintedSolution& x) { return zero_before(x.c0, x.grid.t, x.slip); });
+      cases, [](const PublishedSolution& x) { return zero_before(x.c0, x.grid.t, x.slip); });
   const bool sticks_scheme =
-      every_run(cases, [](const PrintedSolution& x) { return below_the_limit(x); });
+      every_run(cases, [](const PublishedSolution& x) { return below_the_limit(x); });
   const bool slips_scheme = every_run(
-      cases, [](const PrintedSolution& x) { return positive_behind(x.c0, x.grid.t, x.slip); });
+      cases, [](const PublishedSolution& x) { return positive_behind(x.c0, x.grid.t, x.slip); });
   const bool zero = every(cases, [](const Case& x) {
     return zero_before(x.coupled.value(border), x.profile.s, x.profile.slip);
   });
@@ -183,11 +183,11 @@ Claims on_deformation() {
 }
 
 /// Count a run of case x; returns the error of its T*max in per cent.
-double count(Record& record, const Case& x, const PrintedSolution& run) {
+double count(Record& record, const Case& x, const PublishedSolution& run) {
   record.outer = std::max(record.outer, run.outer_iterations);
   record.inner = std::max(record.inner, run.inner_iterations);
   record.converged = record.converged && run.converged;
-  const double found = printed_max_temperature(run, x.peclet).temperature;
+  const double found = published_max_temperature(run, x.peclet).temperature;
   return 100 * std::abs(found / x.coupled.value(hottest) - 1);
 }
 

@@ -22,19 +22,19 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Formulation sign = Formulation::corrected;
 
-Found found(const PrintedSolution& x, const PrintedPeak& top) {
+Found found(const PublishedSolution& x, const PublishedPeak& top) {
   if (!x.converged) return {nan, nan, nan};
   return {x.load_ratio, top.temperature, x.creep};
 }
 
 Found as_described(const Scene& scene, int nodes) {
-  const PrintedSolution x = solve_printed(scene, sign, {nodes});
-  return found(x, printed_max_temperature(x, scene.peclet));
+  const PublishedSolution x = solve_published(scene, sign, {nodes});
+  return found(x, published_max_temperature(x, scene.peclet));
 }
 
-Found thriftily(const Scene& scene, int nodes, NodeKernel kernel) {
-  const PrintedSolution x = solve_thrifty(scene, sign, kernel, {nodes});
-  return found(x, thrifty_max_temperature(x, scene.peclet, kernel));
+Found cached(const Scene& scene, int nodes, NodeKernel kernel) {
+  const PublishedSolution x = solve_cached(scene, sign, kernel, {nodes});
+  return found(x, cached_max_temperature(x, scene.peclet, kernel));
 }
 
 Found found(const CoupledSolution& x) {
@@ -112,7 +112,7 @@ std::vector<Run> runs(const Regime& regime) {
          {std::pair{"thrifty", NodeKernel::sample}, {"moments", NodeKernel::mean}})
       all.push_back({method, static_cast<double>(n),
                      std::string("gauss_chebyshev_") + method + with,
-                     [=, kernel = kernel] { return thriftily(scene, n, kernel); }});
+                     [=, kernel = kernel] { return cached(scene, n, kernel); }});
   }
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})
     all.push_back(coupled_run(scene, tolerance));
