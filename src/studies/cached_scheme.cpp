@@ -75,9 +75,9 @@ struct CachedProblem {
   Scene scene;
   Formulation formulation;
   KernelRow (*row)(const Grid&, double peclet, double s, Index count);
-  MatrixXd normal;                      // of the normal system without heat
-  MatrixXd slope;                       // eps f Pe H N1 from every node at every collocation point
-  MatrixXd strain;                      // f Pe H N from node to node
+  MatrixXd normal;  // of the normal system without heat
+  MatrixXd slope;   // sigma_N f Pe H N1 from every node at every collocation point
+  MatrixXd strain;  // f Pe H N from node to node
   Eigen::PartialPivLU<MatrixXd> stick;  // of the stick system
   VectorXd solved_for;                  // the hot slip of the last normal system
 };
@@ -104,43 +104,45 @@ CachedProblem cache(const Scene& scene, Formulation formulation, NodeKernel kern
   return cached;
 }
 
-void solve_normal(CachedProblem& cached, PublishedSolution& x) {
-  const VectorXd slip = hot_slip(x);
+void solve_normal(CachedProblem& cached, PublishedSolution& solution) {
+  const VectorXd slip = hot_slip(solution);
   if (cached.solved_for.size() > 0 && slip == cached.solved_for) return;
   cached.solved_for = slip;
   const Index n = slip.size();
   MatrixXd a = cached.normal;
   a.topLeftCorner(n + 1, n) += cached.slope * slip.asDiagonal();
   const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
-  x.phi = unknown.head(n);
-  x.gamma0 = unknown(n);
-  x.load_ratio = unknown(n + 1);
+  solution.phi = unknown.head(n);
+  solution.gamma0 = unknown(n);
+  solution.load_ratio = unknown(n + 1);
 }
 
-Index hot_nodes(const PublishedSolution& x) { return (x.grid.t.array() > x.c0).count(); }
+Index hot_nodes(const PublishedSolution& solution) {
+  return (solution.grid.t.array() > solution.c0).count();
+}
 
-void solve_stick(const CachedProblem& cached, PublishedSolution& x) {
-  const Index n = x.grid.t.size(), hot = hot_nodes(x);
-  const VectorXd heat = node_heat(x).head(hot);
-  VectorXd right = (1 + x.c0) / 2 * x.grid.s.array() - (1 - x.c0) / 2;
+void solve_stick(const CachedProblem& cached, PublishedSolution& solution) {
+  const Index n = solution.grid.t.size(), hot = hot_nodes(solution);
+  const VectorXd heat = node_heat(solution).head(hot);
+  VectorXd right = (1 + solution.c0) / 2 * solution.grid.s.array() - (1 - solution.c0) / 2;
   for (double& s : right)
-    s = 2 * cached.scene.friction / pi * x.load_ratio * s -
-        strain_row(cached, x.grid, s, hot).matrix().dot(heat);
+    s = 2 * cached.scene.friction / pi * solution.load_ratio * s -
+        strain_row(cached, solution.grid, s, hot).matrix().dot(heat);
   const VectorXd unknown = cached.stick.solve(right);
-  x.phi0 = unknown.head(n);
-  x.creep_constant = unknown(n);
+  solution.phi0 = unknown.head(n);
+  solution.creep_constant = unknown(n);
 }
 
-VectorXd slip_velocity(const CachedProblem& cached, const PublishedSolution& x) {
-  const auto& [t, w, s] = x.grid;
-  const Index hot = hot_nodes(x);
-  const VectorXd mass = w.cwiseProduct(x.phi0) / pi;
+VectorXd slip_velocity(const CachedProblem& cached, const PublishedSolution& solution) {
+  const auto& [t, w, s] = solution.grid;
+  const Index hot = hot_nodes(solution);
+  const VectorXd mass = w.cwiseProduct(solution.phi0) / pi;
   VectorXd v = VectorXd::Zero(t.size());
-  const double slope = 2 * cached.scene.friction / pi * x.load_ratio;
-  v.head(hot) = x.creep_constant + slope * t.head(hot).array();
-  v.head(hot) -= cached.strain.topLeftCorner(hot, hot) * node_heat(x).head(hot);
+  const double slope = 2 * cached.scene.friction / pi * solution.load_ratio;
+  v.head(hot) = solution.creep_constant + slope * t.head(hot).array();
+  v.head(hot) -= cached.strain.topLeftCorner(hot, hot) * node_heat(solution).head(hot);
   for (Index j = 0; j < hot; ++j) {
-    const double tau = (2 * t(j) + 1 - x.c0) / (1 + x.c0);
+    const double tau = (2 * t(j) + 1 - solution.c0) / (1 + solution.c0);
     v(j) -= (mass.array() / (t.array() - tau)).sum();
   }
   return v;
@@ -151,18 +153,19 @@ VectorXd slip_velocity(const CachedProblem& cached, const PublishedSolution& x) 
 PublishedSolution solve_cached(const Scene& scene, Formulation formulation, NodeKernel kernel,
                                const PublishedOptions& options) {
   require(options.heaviside_at_zero == 0, "heaviside_at_zero", options.heaviside_at_zero, "zero");
-  PublishedSolution x = before_iterating(scene, options);
-  CachedProblem cached = cache(scene, formulation, kernel, x.grid);
-  iterate(cached, x, options);
-  return x;
+  PublishedSolution solution = before_iterating(scene, options);
+  CachedProblem cached = cache(scene, formulation, kernel, solution.grid);
+  iterate(cached, solution, options);
+  return solution;
 }
 
-PublishedPeak cached_max_temperature(const PublishedSolution& x, double peclet, NodeKernel kernel) {
-  const Index hot = hot_nodes(x);
-  const ArrayXd heat = node_heat(x).head(hot);
+PublishedPeak cached_max_temperature(const PublishedSolution& solution, double peclet,
+                                     NodeKernel kernel) {
+  const Index hot = hot_nodes(solution);
+  const ArrayXd heat = node_heat(solution).head(hot);
   PublishedPeak peak{0, 0};
-  for (const double s : x.grid.s) {
-    const ArrayXd zeta = knots(x.grid, peclet, s, hot);
+  for (const double s : solution.grid.s) {
+    const ArrayXd zeta = knots(solution.grid, peclet, s, hot);
     const ArrayXd m = kernel == NodeKernel::mean
                           ? under_hats(zeta, temperature_twice)
                           : zeta.segment(1, hot).unaryExpr(&fast_temperature);

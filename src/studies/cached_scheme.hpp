@@ -16,6 +16,7 @@ PublishedSolution solve_cached(const Scene& scene, Formulation formulation, Node
                                const PublishedOptions& options = {});
 
 /// The largest temperature at the collocation points, with the kernel M sampled or averaged.
-PublishedPeak cached_max_temperature(const PublishedSolution& x, double peclet, NodeKernel kernel);
+PublishedPeak cached_max_temperature(const PublishedSolution& solution, double peclet,
+                                     NodeKernel kernel);
 
 }  // namespace thermoroll

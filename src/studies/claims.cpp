@@ -132,24 +132,26 @@ bool positive_behind(double c0, const ArrayXd& s, const ArrayXd& slip) {
   return (s <= c0 || slip > 0).all();
 }
 
-bool below_the_limit(const PublishedSolution& x) {
-  return std::all_of(x.grid.s.begin(), x.grid.s.end(), [&](double s) {
-    const double q = published_traction(x, paper::friction, s);
-    return s >= x.c0 || std::abs(q) < paper::friction * published_pressure(x, s);
+bool below_the_limit(const PublishedSolution& solution) {
+  return std::all_of(solution.grid.s.begin(), solution.grid.s.end(), [&](double s) {
+    const double q = published_traction(solution, paper::friction, s);
+    return s >= solution.c0 || std::abs(q) < paper::friction * published_pressure(solution, s);
   });
 }
 
-bool below_the_limit(double c0, const Profile& x) {
-  return (x.s >= c0 || x.traction.abs() < paper::friction * x.pressure).all();
+bool below_the_limit(double c0, const Profile& profile) {
+  return (profile.s >= c0 || profile.traction.abs() < paper::friction * profile.pressure).all();
 }
 
 Claims on_slip(const std::vector<Case>& cases) {
-  const bool zero_scheme = every_run(
-      cases, [](const PublishedSolution& x) { return zero_before(x.c0, x.grid.t, x.slip); });
+  const bool zero_scheme = every_run(cases, [](const PublishedSolution& solution) {
+    return zero_before(solution.c0, solution.grid.t, solution.slip);
+  });
   const bool sticks_scheme =
-      every_run(cases, [](const PublishedSolution& x) { return below_the_limit(x); });
-  const bool slips_scheme = every_run(
-      cases, [](const PublishedSolution& x) { return positive_behind(x.c0, x.grid.t, x.slip); });
+      every_run(cases, [](const PublishedSolution& solution) { return below_the_limit(solution); });
+  const bool slips_scheme = every_run(cases, [](const PublishedSolution& solution) {
+    return positive_behind(solution.c0, solution.grid.t, solution.slip);
+  });
   const bool zero = every(cases, [](const Case& x) {
     return zero_before(x.coupled.value(border), x.profile.s, x.profile.slip);
   });

@@ -22,19 +22,19 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Formulation sign = Formulation::corrected;
 
-Found found(const PublishedSolution& x, const PublishedPeak& top) {
-  if (!x.converged) return {nan, nan, nan};
-  return {x.load_ratio, top.temperature, x.creep};
+Found found(const PublishedSolution& solution, const PublishedPeak& top) {
+  if (!solution.converged) return {nan, nan, nan};
+  return {solution.load_ratio, top.temperature, solution.creep};
 }
 
 Found as_described(const Scene& scene, int nodes) {
-  const PublishedSolution x = solve_published(scene, sign, {nodes});
-  return found(x, published_max_temperature(x, scene.peclet));
+  const PublishedSolution solution = solve_published(scene, sign, {nodes});
+  return found(solution, published_max_temperature(solution, scene.peclet));
 }
 
 Found cached(const Scene& scene, int nodes, NodeKernel kernel) {
-  const PublishedSolution x = solve_cached(scene, sign, kernel, {nodes});
-  return found(x, cached_max_temperature(x, scene.peclet, kernel));
+  const PublishedSolution solution = solve_cached(scene, sign, kernel, {nodes});
+  return found(solution, cached_max_temperature(solution, scene.peclet, kernel));
 }
 
 Found found(const CoupledSolution& x) {

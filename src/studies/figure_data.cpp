@@ -275,9 +275,9 @@ PublishedSolution cycling(int nodes) {
 void cycle(std::ostream& out) {
   row(out, "nodes", "step", "c0", "traction");
   for (const int nodes : {89, 90, 91}) {
-    const PublishedSolution x = cycling(nodes);
-    for (std::size_t i = 0; i < std::min<std::size_t>(x.steps.size(), 140); ++i)
-      row(out, nodes, i + 1, x.steps[i].c0, x.steps[i].traction);
+    const PublishedSolution solution = cycling(nodes);
+    for (std::size_t i = 0; i < std::min<std::size_t>(solution.steps.size(), 140); ++i)
+      row(out, nodes, i + 1, solution.steps[i].c0, solution.steps[i].traction);
   }
 }
 
@@ -306,10 +306,10 @@ enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
 constexpr PublishedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
 
 SchemeEnd end_of_scheme(const Scene& scene, Formulation formulation) {
-  const PublishedSolution x = solve_published(scene, formulation, few_nodes);
-  if (violations(factors(x, scene.friction)).empty())
-    return x.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
-  return x.converged ? SchemeEnd::wrong : SchemeEnd::lost;
+  const PublishedSolution solution = solve_published(scene, formulation, few_nodes);
+  if (violations(factors(solution, scene.friction)).empty())
+    return solution.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
+  return solution.converged ? SchemeEnd::wrong : SchemeEnd::lost;
 }
 
 void values_on_contacts(nlohmann::ordered_json& v) {
@@ -334,7 +334,7 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   v["contact_scheme_wrong"] = std::to_string(scheme_wrong);
 }
 
-/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton led to the solution h.
+/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton with continuation to the solution h.
 int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
   const auto finds = [&](auto iterate) {
     Eigen::VectorXd found = carter_start(map);
@@ -346,14 +346,14 @@ int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
   return finds([&](Eigen::VectorXd& x) { return newton(map, x); }) ? 4 : 5;
 }
 
-/// The solution at one speed, led from heating to heating for as long as it is a contact's.
-struct Way {
+/// The solution at one speed, continued from heating to heating for as long as it is a contact's.
+struct Continuation {
   FluxMap unit;
   double heating;
   Eigen::VectorXd h = carter_start(unit);
   bool holds = true;
 
-  bool leads_to(double next) {
+  bool reaches(double next) {
     holds = holds && follow(unit, heating, next, h) > 0;
     holds = holds && pressure_factor(heated(unit, next), h).minCoeff() > 0;
     heating = next;
@@ -361,7 +361,7 @@ struct Way {
   }
 };
 
-Way way_at(double peclet, Formulation formulation, int unknowns) {
+Continuation continuation_at(double peclet, Formulation formulation, int unknowns) {
   const double c0 = paper::closed_form(0.5).c0;
   return {flux_map({paper::friction, 0, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
 }
@@ -370,7 +370,7 @@ void iteration(std::ostream& out, Formulation formulation) {
   row(out, "peclet", "strength", "method", "picard", "half", "scheme");
   for (const double speed : grid(-1, 5, 30)) {
     const double peclet = std::pow(10, speed), most = 30 * std::max(1.0, 4 / peclet);
-    Way way = way_at(peclet, formulation, 64);
+    Continuation path = continuation_at(peclet, formulation, 64);
     for (const double size : grid(0, 6, 30)) {
       const double strength = std::pow(10, size), heating = strength / (paper::friction * peclet);
       int method = 0, scheme = 0;  // not tried
@@ -379,11 +379,11 @@ void iteration(std::ostream& out, Formulation formulation) {
         method = 6;  // not reached
         const Scene scene{paper::friction, 0.5, peclet, heating};
         scheme = static_cast<int>(end_of_scheme(scene, formulation));
-        if (way.leads_to(heating)) {
-          const FluxMap map = heated(way.unit, heating);
-          method = first_to_converge(map, way.h);
-          full = contraction(map, way.h);
-          half = contraction(map, way.h, 0.5);
+        if (path.reaches(heating)) {
+          const FluxMap map = heated(path.unit, heating);
+          method = first_to_converge(map, path.h);
+          full = contraction(map, path.h);
+          half = contraction(map, path.h, 0.5);
         }
       }
       row(out, peclet, strength, method, fixed(full, 4), fixed(half, 4), scheme);
@@ -395,10 +395,10 @@ void iteration(std::ostream& out, Formulation formulation) {
 int missed(int unknowns) {
   int count = 0;
   for (const double speed : grid(3, 5, 10)) {
-    Way way = way_at(std::pow(10, speed), Formulation::printed, unknowns);
+    Continuation path = continuation_at(std::pow(10, speed), Formulation::printed, unknowns);
     for (const double size : grid(0, 6, 30)) {
       const double f_h = std::pow(10, size - speed);
-      if (f_h <= 30 && !way.leads_to(f_h / paper::friction)) ++count;
+      if (f_h <= 30 && !path.reaches(f_h / paper::friction)) ++count;
     }
   }
   return count;

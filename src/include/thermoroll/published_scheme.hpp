@@ -60,26 +60,26 @@ PublishedSolution solve_published(const Scene& scene, Formulation formulation,
                                   const PublishedOptions& options = {});
 
 /// w_k v*(t_k) at the hot nodes, those with t_k > c0, zero at the others.
-Eigen::VectorXd hot_slip(const PublishedSolution& x);
+Eigen::VectorXd hot_slip(const PublishedSolution& solution);
 
 /// The heat g_k at each node, @eq:node-heat; their sum is the integral of v* p*.
-Eigen::VectorXd node_heat(const PublishedSolution& x);
+Eigen::VectorXd node_heat(const PublishedSolution& solution);
 
 /// T*(s) by the paper's rule, @eq:published-temperature; s must not be a hot node.
-double published_temperature(const PublishedSolution& x, double peclet, double s);
+double published_temperature(const PublishedSolution& solution, double peclet, double s);
 
 /// The largest temperature at the collocation points, and where.
 struct PublishedPeak {
   double at;           ///< s
   double temperature;  ///< T*
 };
-PublishedPeak published_max_temperature(const PublishedSolution& x, double peclet);
+PublishedPeak published_max_temperature(const PublishedSolution& solution, double peclet);
 
 /// p*(s) and q*(s); zero outside [-1, 1]. Dimensionless (per P/a).
-double published_pressure(const PublishedSolution& x, double s);
-double published_traction(const PublishedSolution& x, double friction, double s);
+double published_pressure(const PublishedSolution& solution, double s);
+double published_traction(const PublishedSolution& solution, double friction, double s);
 
 /// The factors of the tractions, for the conditions of @eq:admissible.
-Factors factors(const PublishedSolution& x, double friction);
+Factors factors(const PublishedSolution& solution, double friction);
 
 }  // namespace thermoroll
