@@ -7,21 +7,22 @@
 #include "thermoroll/carter.hpp"
 #include "thermoroll/published_scheme.hpp"
 
-/// The iterations of the published scheme, for any Problem that has a scene and for which
-/// solve_normal(problem, x), solve_stick(problem, x) and slip_velocity(problem, x) stand beside it.
+/// The iterations of the published scheme, for any Problem that has a scene and a traction, and for
+/// which solve_normal(problem, x), solve_stick(problem, x) and slip_velocity(problem, x) stand
+/// beside it.
 namespace thermoroll {
 
 /// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in the solution.
 template <class Problem>
 bool find_border(Problem& problem, PublishedSolution& solution, const PublishedOptions& options) {
-  const double wanted = problem.scene.friction - problem.scene.traction;
+  const double wanted = problem.scene.friction - problem.traction;
   for (int step = 1; step <= options.max_inner; ++step) {
     solution.inner_iterations = std::max(solution.inner_iterations, step);
     solve_normal(problem, solution);
     solve_stick(problem, solution);
     const double b = (1 + solution.c0) / 2, found = -b * solution.grid.w.dot(solution.phi0);
     solution.steps.push_back({solution.c0, problem.scene.friction - found});
-    if (std::abs(found - wanted) <= options.tolerance * problem.scene.traction) return true;
+    if (std::abs(found - wanted) <= options.tolerance * problem.traction) return true;
     if (!(found > 0)) return false;
     solution.c0 = 2 * std::min(b * std::sqrt(wanted / found), 1.0) - 1;
   }
@@ -45,12 +46,13 @@ void iterate(Problem& problem, PublishedSolution& solution, const PublishedOptio
 }
 
 /// No slip, and Carter's border. Throws std::invalid_argument.
-inline PublishedSolution before_iterating(const Scene& scene, const PublishedOptions& options) {
+inline PublishedSolution before_iterating(const Scene& scene, double traction,
+                                          const PublishedOptions& options) {
   check(scene);
   require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
   PublishedSolution solution;
   solution.grid = gauss_chebyshev(options.nodes);
-  solution.c0 = carter(scene.friction, scene.traction).c0;
+  solution.c0 = carter(scene.friction, traction).c0;
   solution.slip = Eigen::VectorXd::Zero(options.nodes);
   return solution;
 }

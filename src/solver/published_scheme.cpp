@@ -18,6 +18,7 @@ namespace {
 
 struct Problem {
   Scene scene;
+  double traction;
   Formulation formulation;
   MatrixXd cauchy;
   double coincident;  // what stands for N* at a coincident node
@@ -25,7 +26,7 @@ struct Problem {
 
 /// sigma_N f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is not hot.
 MatrixXd slope_matrix(const Problem& problem, const PublishedSolution& solution) {
-  const auto& [friction, traction, peclet, heating] = problem.scene;
+  const auto& [friction, peclet, heating] = problem.scene;
   const auto& [t, w, s] = solution.grid;
   MatrixXd n1 = MatrixXd::Zero(s.size(), t.size());
   for (Index k = 0; k < t.size() && t(k) > solution.c0; ++k)
@@ -49,7 +50,7 @@ void solve_normal(const Problem& problem, PublishedSolution& solution) {
 
 /// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
 double rigid_strain(const Problem& problem, const PublishedSolution& solution, double s) {
-  const auto& [friction, traction, peclet, heating] = problem.scene;
+  const auto& [friction, peclet, heating] = problem.scene;
   const VectorXd heat = node_heat(solution);
   double sum = 0;
   for (Index k = 0; k < heat.size() && solution.grid.t(k) > solution.c0; ++k) {
@@ -121,11 +122,11 @@ VectorXd node_heat(const PublishedSolution& solution) {
   return hot_slip(solution).cwiseProduct(solution.phi);
 }
 
-PublishedSolution solve_published(const Scene& scene, Formulation formulation,
+PublishedSolution solve_published(const Scene& scene, double traction, Formulation formulation,
                                   const PublishedOptions& options) {
-  PublishedSolution solution = before_iterating(scene, options);
+  PublishedSolution solution = before_iterating(scene, traction, options);
   const double self = -slope_sign(formulation) * scene.friction * options.heaviside_at_zero;
-  const Problem problem{scene, formulation, cauchy_matrix(solution.grid), self};
+  const Problem problem{scene, traction, formulation, cauchy_matrix(solution.grid), self};
   iterate(problem, solution, options);
   return solution;
 }

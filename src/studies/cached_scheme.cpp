@@ -73,6 +73,7 @@ KernelRow averaged(const Grid& g, double peclet, double s, Index count) {
 
 struct CachedProblem {
   Scene scene;
+  double traction;
   Formulation formulation;
   KernelRow (*row)(const Grid&, double peclet, double s, Index count);
   MatrixXd normal;  // of the normal system without heat
@@ -84,12 +85,13 @@ struct CachedProblem {
 
 /// f Pe H N from each of the first nodes at the point s, @eq:N.
 ArrayXd strain_row(const CachedProblem& cached, const Grid& g, double s, Index count) {
-  const auto& [friction, traction, peclet, heating] = cached.scene;
+  const auto& [friction, peclet, heating] = cached.scene;
   const auto [n1, n2] = cached.row(g, peclet, s, count);
   return friction * peclet * heating * (n2 / pi - slope_sign(cached.formulation) * friction * n1);
 }
 
-CachedProblem cache(const Scene& scene, Formulation formulation, NodeKernel kernel, const Grid& g) {
+CachedProblem cache(const Scene& scene, double traction, Formulation formulation, NodeKernel kernel,
+                    const Grid& g) {
   const Index n = g.t.size();
   const double strength = slope_sign(formulation) * scene.friction * scene.peclet * scene.heating;
   MatrixXd normal(n + 2, n + 2), stick(n + 1, n + 1);
@@ -97,7 +99,8 @@ CachedProblem cache(const Scene& scene, Formulation formulation, NodeKernel kern
   stick << cauchy_matrix(g), VectorXd::Constant(n + 1, -1);
   const auto row = kernel == NodeKernel::sample ? sampled : averaged;
   MatrixXd slope(n + 1, n), strain(n, n);
-  CachedProblem cached{scene, formulation, row, normal, slope, strain, stick.partialPivLu(), {}};
+  CachedProblem cached{scene, traction, formulation,          row, normal,
+                       slope, strain,   stick.partialPivLu(), {}};
   for (Index m = 0; m <= n; ++m)
     cached.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
   for (Index j = 0; j < n; ++j) cached.strain.row(j) = strain_row(cached, g, g.t(j), n).transpose();
@@ -150,11 +153,11 @@ VectorXd slip_velocity(const CachedProblem& cached, const PublishedSolution& sol
 
 }  // namespace
 
-PublishedSolution solve_cached(const Scene& scene, Formulation formulation, NodeKernel kernel,
-                               const PublishedOptions& options) {
+PublishedSolution solve_cached(const Scene& scene, double traction, Formulation formulation,
+                               NodeKernel kernel, const PublishedOptions& options) {
   require(options.heaviside_at_zero == 0, "heaviside_at_zero", options.heaviside_at_zero, "zero");
-  PublishedSolution solution = before_iterating(scene, options);
-  CachedProblem cached = cache(scene, formulation, kernel, solution.grid);
+  PublishedSolution solution = before_iterating(scene, traction, options);
+  CachedProblem cached = cache(scene, traction, formulation, kernel, solution.grid);
   iterate(cached, solution, options);
   return solution;
 }

@@ -89,8 +89,8 @@ void share_found(std::ostream& out) {
   for (const double pe : {100.0, paper::peclet}) {
     const CoupledSolution exact = paper::coupled(0.5, pe);
     for (const int n : {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}) {
-      const Scene scene = paper::scene(0.5, pe);
-      const auto x = solve_cached(scene, paper::formulation, NodeKernel::sample, {n});
+      const Scene scene = paper::scene(pe);
+      const auto x = solve_cached(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
       const double top = cached_max_temperature(x, pe, NodeKernel::sample).temperature;
       row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(load_ratio)),
           top / exact.value(hottest));
@@ -269,7 +269,7 @@ void values_on_resolution(nlohmann::ordered_json& v) {
 }
 
 PublishedSolution cycling(int nodes) {
-  return solve_published({paper::friction, 0.5, 100, 0.5}, Formulation::corrected, {nodes});
+  return solve_published({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
 }
 
 void cycle(std::ostream& out) {
@@ -305,8 +305,8 @@ enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
 
 constexpr PublishedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
 
-SchemeEnd end_of_scheme(const Scene& scene, Formulation formulation) {
-  const PublishedSolution solution = solve_published(scene, formulation, few_nodes);
+SchemeEnd end_of_scheme(const Scene& scene, double traction, Formulation formulation) {
+  const PublishedSolution solution = solve_published(scene, traction, formulation, few_nodes);
   if (violations(factors(solution, scene.friction)).empty())
     return solution.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
   return solution.converged ? SchemeEnd::wrong : SchemeEnd::lost;
@@ -317,12 +317,12 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
   for (Sample x : random_scenes(count)) {
     x.scene.heating *= 10;
-    const Given given{traction, x.scene.traction};
+    const Prescribed given{traction, x.traction};
     const Outcome found =
         outcome([&] { return solve_coupled(x.scene, x.formulation, 1e-3, given); });
     refused += found == Outcome::refused ? 1 : 0;
     wrong += found == Outcome::no_contact ? 1 : 0;
-    const SchemeEnd end = end_of_scheme(x.scene, x.formulation);
+    const SchemeEnd end = end_of_scheme(x.scene, x.traction, x.formulation);
     unsettled += end == SchemeEnd::unsettled || end == SchemeEnd::lost ? 1 : 0;
     scheme_wrong += end == SchemeEnd::lost || end == SchemeEnd::wrong ? 1 : 0;
   }
@@ -363,7 +363,7 @@ struct Continuation {
 
 Continuation continuation_at(double peclet, Formulation formulation, int unknowns) {
   const double c0 = paper::closed_form(0.5).c0;
-  return {flux_map({paper::friction, 0, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
+  return {flux_map({paper::friction, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
 }
 
 void iteration(std::ostream& out, Formulation formulation) {
@@ -377,8 +377,8 @@ void iteration(std::ostream& out, Formulation formulation) {
       double full = 0, half = 0;
       if (paper::friction * heating <= most) {
         method = 6;  // not reached
-        const Scene scene{paper::friction, 0.5, peclet, heating};
-        scheme = static_cast<int>(end_of_scheme(scene, formulation));
+        const Scene scene{paper::friction, peclet, heating};
+        scheme = static_cast<int>(end_of_scheme(scene, 0.5, formulation));
         if (path.reaches(heating)) {
           const FluxMap map = heated(path.unit, heating);
           method = first_to_converge(map, path.h);
@@ -416,7 +416,7 @@ void iteration_steps(std::ostream& out) {
   for (const double peclet : {1.0, 100.0, paper::peclet})
     for (const double f_h : {0.01, 0.3, 1.0, 3.0, 10.0}) {
       const double heating = f_h / paper::friction, c0 = paper::closed_form(0.5).c0;
-      const Scene scene{paper::friction, 0, peclet, 1};
+      const Scene scene{paper::friction, peclet, 1};
       const FluxMap unit = flux_map(scene, Formulation::corrected, 128, c0);
       const FluxMap map = heated(unit, heating);
       Eigen::VectorXd h = carter_start(map), x = h;
@@ -437,8 +437,8 @@ std::array<int, 3> survivors(Formulation formulation, double heating) {
   for (int decade = -3; decade <= 8; ++decade)
     for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
       const double f = paper::friction;
-      const Scene scene{f, 0, std::pow(10, decade), heating};
-      const Given given{traction, f * share};
+      const Scene scene{f, std::pow(10, decade), heating};
+      const Prescribed given{traction, f * share};
       const Outcome found = outcome([&] { return solve_coupled(scene, formulation, 1e-3, given); });
       ++count[static_cast<std::size_t>(found)];
     }
@@ -461,7 +461,7 @@ void ends(std::ostream& out) {
   const double fast = hottest_when_fast(flux);
   for (const double speed : grid(-3, 8, 33)) {
     const double peclet = std::pow(10, speed);
-    const Scene scene{paper::friction, 0, peclet, 0};
+    const Scene scene{paper::friction, peclet, 0};
     const double top =
         solve_coupled(scene, Formulation::corrected, 1e-9, {traction, 0.5}).value(hottest);
     row(out, peclet, std::abs(fast / std::sqrt(peclet) / top - 1),
@@ -475,8 +475,8 @@ double most_heating(const Rung& rung, double peclet, double tolerance) {
   double low = 1e-9, high = 1e3;
   while (high > 1.01 * low) {
     const double middle = std::sqrt(low * high);
-    const Scene scene{paper::friction, 0.5, peclet, middle};
-    const auto x = rung(scene, Formulation::corrected, tolerance, Given{traction, 0.5});
+    const Scene scene{paper::friction, peclet, middle};
+    const auto x = rung(scene, Formulation::corrected, tolerance, Prescribed{traction, 0.5});
     (x.error(load_ratio) <= tolerance ? low : high) = middle;
   }
   return low;
@@ -501,7 +501,7 @@ struct Trial {
 };
 
 Trial try_ladder(const Sample& x, double tolerance) {
-  const Given given{traction, x.scene.traction};
+  const Prescribed given{traction, x.traction};
   try {
     const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
     const CoupledSolution better = solve_coupled(x.scene, x.formulation, tolerance / 10, given);
@@ -546,8 +546,8 @@ void rungs_of_random_scenes(std::ostream& out) {
 }
 
 void values_on_least_model(nlohmann::ordered_json& v) {
-  const Scene scene{paper::friction, 0.5, paper::peclet, paper::heating};
-  const Given given{traction, 0.5};
+  const Scene scene{paper::friction, paper::peclet, paper::heating};
+  const Prescribed given{traction, 0.5};
   const auto model = [&](double tolerance) {
     const char* const names[] = {"closed form", "first order in the heat", "coupled"};
     const Choice x = least_model(scene, Formulation::corrected, tolerance, given);
@@ -607,7 +607,7 @@ void values(std::ostream& out) {
   v["steel_diffusivity"] = scientific(steel.diffusivity, 2);
   v["steel_conductivity"] = shortest(steel.conductivity);
   v["steel_friction"] = shortest(paper::friction);
-  const Scene groups = scene_of(steel, paper::friction, 0.5);
+  const Scene groups = scene_of(steel, paper::friction);
   const double compliance = 4 * (1 - steel.poisson) * steel.load / (pi * steel.shear_modulus);
   v["hertz_p0"] = fixed(2 / pi * units_of(steel, paper::friction).traction / 1e9, 2);
   v["steel_peclet"] = fixed(groups.peclet, 0);
@@ -617,8 +617,8 @@ void values(std::ostream& out) {
   v["steel_creep"] = fixed(contact.value(creep), 4);
   v["steel_creep_difference"] = fixed(paper::friction * std::abs(contact.value(gamma0)), 4);
   v["steel_eccentricity"] = fixed(std::abs(contact.eccentricity), 4);
-  const Given half{traction, 0.5};
-  const Scene scene = paper::scene(0.5, paper::peclet);
+  const Prescribed half{traction, 0.5};
+  const Scene scene = paper::scene(paper::peclet);
   const CoupledSolution corrected = solve_coupled(scene, Formulation::corrected, 1e-8, half);
   v["corrected_kappa"] = fixed(1 - corrected.value(load_ratio), 5);
   for (const auto& [sign, x] : {std::pair{"steel", contact}, {"corrected", corrected}}) {
@@ -668,7 +668,7 @@ void values(std::ostream& out) {
   const double kappa_coupled = 1 - contact.value(load_ratio);
   double largest = 0, largest_corrected = 0;
   for (const double q : paper::tractions) {
-    const Scene s = paper::scene(q, paper::peclet);
+    const Scene s = paper::scene(paper::peclet);
     const auto other = solve_coupled(s, Formulation::corrected, 1e-8, {traction, q});
     largest = std::max(largest, 1 - paper::coupled(q, paper::peclet).value(load_ratio));
     largest_corrected = std::max(largest_corrected, other.value(load_ratio) - 1);

@@ -3,12 +3,12 @@
 
 namespace thermoroll::paper {
 
-Scene scene(double q, double pe) { return {friction, q, pe, heating}; }
+Scene scene(double pe) { return {friction, pe, heating}; }
 
 Carter closed_form(double q) { return carter(friction, q); }
 
 PublishedSolution scheme(double q, double pe, const PublishedOptions& options) {
-  return solve_published(scene(q, pe), formulation, options);
+  return solve_published(scene(pe), q, formulation, options);
 }
 
 double scheme_max(double q, double pe, const PublishedOptions& options) {
@@ -16,7 +16,7 @@ double scheme_max(double q, double pe, const PublishedOptions& options) {
 }
 
 CoupledSolution coupled(double q, double pe) {
-  return solve_coupled(scene(q, pe), formulation, 1e-8, {traction, q});
+  return solve_coupled(scene(pe), formulation, 1e-8, {traction, q});
 }
 
 }  // namespace thermoroll::paper
