@@ -19,8 +19,10 @@ constexpr double far = 30;  // from here on the series reaches rounding error
 /// S(y) of @eq:tail-series, |y| <= 1/far.
 double tail(double y) {
   double term = 0.5, sum = term;
-  for (int k = 1; std::abs(term) > epsilon * std::abs(sum); ++k)
-    sum += term *= y * (4.0 * k * k - 1) / (8.0 * k);
+  for (int k = 1; std::abs(term) > epsilon * std::abs(sum); ++k) {
+    term *= y * (4.0 * k * k - 1) / (8.0 * k);
+    sum += term;
+  }
   return sum;
 }
 

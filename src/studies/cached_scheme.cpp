@@ -26,7 +26,8 @@ KernelRow sampled(const Grid& g, double peclet, double s, Index count) {
   for (Index k = 0; k < count; ++k)
     if (const double zeta = peclet * (g.t(k) - s); zeta != 0) {
       const auto [n1, n2] = fast_slope_and_strain(zeta);
-      row.n1(k) = n1, row.n2(k) = n2;
+      row.n1(k) = n1;
+      row.n2(k) = n2;
     }
   return row;
 }
@@ -99,8 +100,8 @@ CachedProblem cache(const Scene& scene, double traction, Formulation formulation
   stick << cauchy_matrix(g), VectorXd::Constant(n + 1, -1);
   const auto row = kernel == NodeKernel::sample ? sampled : averaged;
   MatrixXd slope(n + 1, n), strain(n, n);
-  CachedProblem cached{scene, traction, formulation,          row, normal,
-                       slope, strain,   stick.partialPivLu(), {}};
+  const auto factors = stick.partialPivLu();
+  CachedProblem cached{scene, traction, formulation, row, normal, slope, strain, factors, {}};
   for (Index m = 0; m <= n; ++m)
     cached.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
   for (Index j = 0; j < n; ++j) cached.strain.row(j) = strain_row(cached, g, g.t(j), n).transpose();
