@@ -453,6 +453,12 @@ local pieces = pandoc.List() -- what the tangler sees, in order
 local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 
+local function titled(chunk, title)
+  return string.format('⟨%s <span class="chunk-number">%s</span>⟩',
+    title and html_of(inlines_of(title)) or escape(chunk.name), chunk.number)
+end
+
+--- A chunk whose later parts have titles of their own goes by its name; each part has its title.
 local function collect_chunks()
   for _, chapter in ipairs(chapters) do
     pieces:extend(tangle.parse(chapter.name, chapter.text))
@@ -465,6 +471,7 @@ local function collect_chunks()
                 pieces = collected[piece.id], users = {} }
       chunks[piece.id] = chunk
     end
+    if piece.title and piece ~= chunk.pieces[1] then chunk.of_parts = true end
     chunk.title = chunk.title or piece.title
     chunk.file = chunk.file or piece.file
   end
@@ -483,8 +490,7 @@ local function collect_chunks()
   end
   stop_on_mistakes()
   for _, chunk in pairs(chunks) do
-    local title = chunk.title and html_of(inlines_of(chunk.title)) or escape(chunk.name)
-    chunk.html = string.format('⟨%s <span class="chunk-number">%s</span>⟩', title, chunk.number)
+    chunk.html = titled(chunk, not chunk.of_parts and chunk.title)
     labels["lst:" .. chunk.name].html = chunk.html
   end
 end
@@ -574,9 +580,10 @@ local function chunk_box(piece)
       step(chunk.pieces[piece.part - 1], "↑", "previous part"),
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
+  local title = chunk.of_parts and piece.title and titled(chunk, piece.title) or chunk.html
   return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), chunk.html, parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), title, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 

@@ -90,8 +90,8 @@ void share_found(std::ostream& out) {
     const CoupledSolution exact = paper::coupled(0.5, pe);
     for (const int n : {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}) {
       const Scene scene = paper::scene(pe);
-      const auto x = solve_thrifty(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
-      const double top = thrifty_max_temperature(x, pe, NodeKernel::sample).temperature;
+      const auto x = solve_cached(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
+      const double top = cached_max_temperature(x, pe, NodeKernel::sample).temperature;
       row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(load_ratio)),
           top / exact.value(hottest));
     }
@@ -117,9 +117,9 @@ void tractions_of_load(std::ostream& out) {
     for (const double s : grid(-1, 1, 400)) row(out, "converged", load, s, carter_traction(c, s));
   }
   for (const double load : paper::tractions) {
-    const PrintedSolution x = paper::scheme(load, paper::peclet);
+    const PublishedSolution x = paper::scheme(load, paper::peclet);
     for (const double s : x.grid.t)
-      row(out, "printed", load, s, printed_traction(x, paper::friction, s));
+      row(out, "printed", load, s, published_traction(x, paper::friction, s));
   }
 }
 
@@ -134,7 +134,7 @@ void slip_of_load(std::ostream& out) {
     }
   }
   for (const double load : paper::tractions) {
-    const PrintedSolution x = paper::scheme(load, paper::peclet);
+    const PublishedSolution x = paper::scheme(load, paper::peclet);
     for (int k = 0; k < x.slip.size(); ++k) row(out, "printed", load, x.grid.t(k), x.slip(k));
   }
 }
@@ -151,11 +151,11 @@ void temperature_curve(std::ostream& out, double key, double load, double pe) {
   const HeatFlux flux = carter_flux(paper::closed_form(load));
   for (const double s : grid(-1, 3, 400))
     row(out, "converged", key, s, temperature(flux, pe, s).value);
-  const PrintedSolution x = paper::scheme(load, pe);
+  const PublishedSolution x = paper::scheme(load, pe);
   std::vector<double> points(x.grid.s.begin(), x.grid.s.end());
   std::reverse(points.begin(), points.end());
   for (const double s : grid(1.1, 3, 19)) points.push_back(s);
-  for (const double s : points) row(out, "printed", key, s, printed_temperature(x, pe, s));
+  for (const double s : points) row(out, "printed", key, s, published_temperature(x, pe, s));
 }
 
 void temperature_by_peclet(std::ostream& out, double load) {
@@ -189,8 +189,8 @@ void sliding(std::ostream& out) {
 void resolution(std::ostream& out) {
   row(out, "$n$", "$c_0$", "$1-\\kappa$", "$\\gamma_0$", "$T^*_{\\max}$", "outer", "inner");
   for (const int nodes : {50, 100, 200, 400}) {
-    const PrintedSolution x = paper::scheme(0.5, paper::peclet, {nodes});
-    const double top = printed_max_temperature(x, paper::peclet).temperature;
+    const PublishedSolution x = paper::scheme(0.5, paper::peclet, {nodes});
+    const double top = published_max_temperature(x, paper::peclet).temperature;
     row(out, nodes, fixed(x.c0, 6), scientific(1 - x.load_ratio, 2), scientific(x.gamma0, 2),
         fixed(top, 6), x.outer_iterations, x.inner_iterations);
   }
@@ -202,10 +202,10 @@ void resolution(std::ostream& out) {
 void coincident(std::ostream& out) {
   row(out, "$\\Theta(0)$", "$T^*_{\\max}$", "outer steps");
   for (const double value : {0.0, 0.5, 1.0}) {
-    PrintedOptions options;
+    PublishedOptions options;
     options.heaviside_at_zero = value;
-    const PrintedSolution x = paper::scheme(0.5, 5000, options);
-    row(out, value, fixed(printed_max_temperature(x, 5000).temperature, 6), x.outer_iterations);
+    const PublishedSolution x = paper::scheme(0.5, 5000, options);
+    row(out, value, fixed(published_max_temperature(x, 5000).temperature, 6), x.outer_iterations);
   }
 }
 
@@ -234,9 +234,9 @@ void arithmetic(std::ostream& out) {
   const auto M = [](double zeta) { return kernel::M(zeta); };
   for (const double decade : grid(-12, 12, 96)) {
     const double x = std::pow(10, decade);
-    row(out, x, most_lost(typed::N1, kernel::N1, x), most_lost(scaled::N1, kernel::N1, x),
-        most_lost(typed::N2, kernel::N2, -x), most_lost(scaled::N2, kernel::N2, -x),
-        most_lost(typed::M, M, -x), most_lost(scaled::M, M, -x));
+    row(out, x, most_lost(naive::N1, kernel::N1, x), most_lost(naive_scaled::N1, kernel::N1, x),
+        most_lost(naive::N2, kernel::N2, -x), most_lost(naive_scaled::N2, kernel::N2, -x),
+        most_lost(naive::M, M, -x), most_lost(naive_scaled::M, M, -x));
   }
 }
 
@@ -268,27 +268,30 @@ void values_on_resolution(nlohmann::ordered_json& v) {
   }
 }
 
-PrintedSolution cycling(int nodes) {
-  return solve_printed({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
+PublishedSolution cycling(int nodes) {
+  return solve_published({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
 }
 
 void cycle(std::ostream& out) {
   row(out, "nodes", "step", "c0", "traction");
   for (const int nodes : {89, 90, 91}) {
-    const PrintedSolution x = cycling(nodes);
-    for (std::size_t i = 0; i < std::min<std::size_t>(x.steps.size(), 140); ++i)
-      row(out, nodes, i + 1, x.steps[i].c0, x.steps[i].traction);
+    const PublishedSolution solution = cycling(nodes);
+    for (std::size_t i = 0; i < std::min<std::size_t>(solution.steps.size(), 140); ++i)
+      row(out, nodes, i + 1, solution.steps[i].c0, solution.steps[i].traction);
   }
 }
 
 void values_on_cycle(nlohmann::ordered_json& v) {
-  const PrintedSolution undecided = cycling(90);
+  const PublishedSolution undecided = cycling(90);
   Eigen::Index nearest = 0;
   (undecided.grid.t.array() - undecided.c0).abs().minCoeff(&nearest);
   const double node = undecided.grid.t(nearest);
   double hot = 1, cold = 0;  // of the last three steps, the tractions nearest to the gap
   for (auto step = undecided.steps.rbegin(); step != undecided.steps.rbegin() + 3; ++step)
-    step->c0 < node ? hot = std::min(hot, step->traction) : cold = std::max(cold, step->traction);
+    if (step->c0 < node)
+      hot = std::min(hot, step->traction);
+    else
+      cold = std::max(cold, step->traction);
   int struck = 0;
   for (int nodes = 20; nodes < 120; ++nodes) struck += cycling(nodes).converged ? 0 : 1;
   v["cycle_node"] = fixed(node, 4);
@@ -300,13 +303,13 @@ void values_on_cycle(nlohmann::ordered_json& v) {
 /// Settled on a contact; its last iterate a contact, or none; settled on what is none.
 enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
 
-constexpr PrintedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
+constexpr PublishedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
 
 SchemeEnd end_of_scheme(const Scene& scene, double traction, Formulation formulation) {
-  const PrintedSolution x = solve_printed(scene, traction, formulation, few_nodes);
-  if (violations(factors(x, scene.friction)).empty())
-    return x.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
-  return x.converged ? SchemeEnd::wrong : SchemeEnd::lost;
+  const PublishedSolution solution = solve_published(scene, traction, formulation, few_nodes);
+  if (violations(factors(solution, scene.friction)).empty())
+    return solution.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
+  return solution.converged ? SchemeEnd::wrong : SchemeEnd::lost;
 }
 
 void values_on_contacts(nlohmann::ordered_json& v) {
@@ -331,7 +334,7 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   v["contact_scheme_wrong"] = std::to_string(scheme_wrong);
 }
 
-/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton led to the solution h.
+/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton with continuation to the solution h.
 int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
   const auto finds = [&](auto iterate) {
     Eigen::VectorXd found = carter_start(map);
@@ -343,14 +346,14 @@ int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
   return finds([&](Eigen::VectorXd& x) { return newton(map, x); }) ? 4 : 5;
 }
 
-/// The solution at one speed, led from heating to heating for as long as it is a contact's.
-struct Way {
+/// The solution at one speed, continued from heating to heating for as long as it is a contact's.
+struct Continuation {
   FluxMap unit;
   double heating;
   Eigen::VectorXd h = carter_start(unit);
   bool holds = true;
 
-  bool leads_to(double next) {
+  bool reaches(double next) {
     holds = holds && follow(unit, heating, next, h) > 0;
     holds = holds && pressure_factor(heated(unit, next), h).minCoeff() > 0;
     heating = next;
@@ -358,7 +361,7 @@ struct Way {
   }
 };
 
-Way way_at(double peclet, Formulation formulation, int unknowns) {
+Continuation continuation_at(double peclet, Formulation formulation, int unknowns) {
   const double c0 = paper::closed_form(0.5).c0;
   return {flux_map({paper::friction, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
 }
@@ -367,7 +370,7 @@ void iteration(std::ostream& out, Formulation formulation) {
   row(out, "peclet", "strength", "method", "picard", "half", "scheme");
   for (const double speed : grid(-1, 5, 30)) {
     const double peclet = std::pow(10, speed), most = 30 * std::max(1.0, 4 / peclet);
-    Way way = way_at(peclet, formulation, 64);
+    Continuation path = continuation_at(peclet, formulation, 64);
     for (const double size : grid(0, 6, 30)) {
       const double strength = std::pow(10, size), heating = strength / (paper::friction * peclet);
       int method = 0, scheme = 0;  // not tried
@@ -376,10 +379,11 @@ void iteration(std::ostream& out, Formulation formulation) {
         method = 6;  // not reached
         const Scene scene{paper::friction, peclet, heating};
         scheme = static_cast<int>(end_of_scheme(scene, 0.5, formulation));
-        if (way.leads_to(heating)) {
-          const FluxMap map = heated(way.unit, heating);
-          method = first_to_converge(map, way.h);
-          full = contraction(map, way.h), half = contraction(map, way.h, 0.5);
+        if (path.reaches(heating)) {
+          const FluxMap map = heated(path.unit, heating);
+          method = first_to_converge(map, path.h);
+          full = contraction(map, path.h);
+          half = contraction(map, path.h, 0.5);
         }
       }
       row(out, peclet, strength, method, fixed(full, 4), fixed(half, 4), scheme);
@@ -391,10 +395,10 @@ void iteration(std::ostream& out, Formulation formulation) {
 int missed(int unknowns) {
   int count = 0;
   for (const double speed : grid(3, 5, 10)) {
-    Way way = way_at(std::pow(10, speed), Formulation::printed, unknowns);
+    Continuation path = continuation_at(std::pow(10, speed), Formulation::printed, unknowns);
     for (const double size : grid(0, 6, 30)) {
       const double f_h = std::pow(10, size - speed);
-      if (f_h <= 30 && !way.leads_to(f_h / paper::friction)) ++count;
+      if (f_h <= 30 && !path.reaches(f_h / paper::friction)) ++count;
     }
   }
   return count;
@@ -417,7 +421,10 @@ void iteration_steps(std::ostream& out) {
       const FluxMap map = heated(unit, heating);
       Eigen::VectorXd h = carter_start(map), x = h;
       const int led = follow(unit, 1e-3 / peclet, heating, h);
-      const auto steps = [&](auto iterate) { return x = carter_start(map), cell(iterate()); };
+      const auto steps = [&](auto iterate) {
+        x = carter_start(map);
+        return cell(iterate());
+      };
       row(out, peclet, f_h, fixed(contraction(map, h), 2), steps([&] { return picard(map, x); }),
           steps([&] { return picard(map, x, 0.5); }), steps([&] { return anderson(map, x); }),
           steps([&] { return newton(map, x); }), cell(led));
@@ -584,7 +591,7 @@ void claims_table(std::ostream& out) {
   row(out, "the paper says", "paper", "published scheme", "converged", "verdict");
   const auto cell = [](const std::string& text) { return '"' + in_tex(text) + '"'; };
   for (const Claim& c : claims())
-    row(out, cell(c.claim), cell(c.paper), cell(c.printed), cell(c.converged), cell(c.verdict));
+    row(out, cell(c.claim), cell(c.paper), cell(c.published), cell(c.converged), cell(c.verdict));
 }
 
 void values(std::ostream& out) {
@@ -680,7 +687,7 @@ void values(std::ostream& out) {
   v["gamma_first_order_error"] = fixed(100 * (gamma_first / contact.value(gamma0) - 1), 0);
   v["kappa_first_order"] = fixed(kappa_first, 5);
   v["kappa_first_order_error"] = fixed(100 * (kappa_first / kappa_coupled - 1), 0);
-  PrintedOptions other;
+  PublishedOptions other;
   other.heaviside_at_zero = 1;
   v["coincident_change"] = fixed(100 * (paper::scheme_max(0.5, 5000, other) / top_printed - 1), 0);
   const Record record = scheme_record();

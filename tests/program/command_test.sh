@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # command_test.sh CASE PROGRAM: one thing that the program's users rely on, run in the project's
 # folder. The cases are the functions below that begin with a capital.
-source tests/command_line/program.sh
+source tests/program/program.sh
 
 paper_case=(--friction 0.6 --traction 0.5 --peclet 5000 --heating 0.0175)
 steel=(--friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3

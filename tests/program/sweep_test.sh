@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # sweep_test.sh CASE PROGRAM: what users of sweeps rely on. The cases are the functions below that
 # begin with a capital.
-source tests/command_line/program.sh
+source tests/program/program.sh
 
 # The chapter's table and as many copies of its rows as asked for.
 write_scenes() { # write_scenes [COPIES]

@@ -376,6 +376,25 @@ END
     '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
 }
 
+PartsHaveTheirTitles() {
+  chapter <<'END'
+``` {.cpp file=src/a.cpp title="The file"}
+<<both>>
+```
+
+``` {.cpp #both title="The first"}
+int a;
+```
+
+``` {.cpp #both title="The second"}
+int b;
+```
+
+See @lst:both.
+END
+  expect '⟨The first 2⟩part 1 of 2 ↓' '⟨The second 2⟩part 2 of 2 ↑' 'See ⟨both 2⟩.'
+}
+
 WovenTwiceAlike() {
   draw f
   chapter <<'END'

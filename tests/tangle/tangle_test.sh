@@ -212,6 +212,30 @@ int last;
 END
 }
 
+PartsWithTitlesAreApart() {
+  chapter one.md <<'END'
+``` {.cpp file=src/a.cpp}
+<<list>>
+```
+``` {.cpp #list title="The first"}
+int first;
+```
+``` {.cpp #list title="The second"}
+int second;
+```
+``` {.cpp #list}
+int third;
+```
+END
+  tangle one.md
+  expect_file src/a.cpp <<'END'
+int first;
+
+int second;
+int third;
+END
+}
+
 IndentsReferences() {
   chapter one.md <<'END'
 1. In a list the fence is indented, the code is not:
