@@ -34,6 +34,7 @@ packages_for_mutants := $(test_packages)
 packages_for_fuzz := $(build_packages) clang libclang-rt-dev
 packages_for_coverage := $(build_packages) libgtest-dev
 packages_for_bench := $(data_packages)
+packages_for_draft := $(build_packages)
 packages_for_pdf := $(figure_packages) chromium
 packages_for_clean :=
 packages_for_help :=
@@ -153,7 +154,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
+.PHONY: all data figures report draft reproduce test bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -239,19 +240,27 @@ build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figu
 	@mv $@.tmp $@
 
 revision = $(shell git describe --always --dirty 2>/dev/null)
+weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
+  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml --fail-if-warnings \
-	  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib \
-	  --template paper/template.html $(addprefix -M revision=,$(revision)) -o $@.tmp
+	@$(weave) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@
+
+drafted = $(wildcard paper/$(CHAPTER)-*.md)
+## draft: write CHAPTER=10 of the report alone to build/draft.html, with the data and figures that are there
+draft: | build
+	@[ "$(words $(drafted))" = 1 ] || { \
+	  echo "draft: there is no paper/$(CHAPTER)-*.md; say, for example, CHAPTER=01" >&2; exit 1; }
+	@$(weave) -M draft=$(drafted) -o build/draft.html.tmp
+	@mv build/draft.html.tmp build/draft.html
+	@echo "The draft is build/draft.html"
 
 # --- Tests and checks -----------------------------------------------------------------------------
 
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
 # compiled and one after the other. What needs data needs the benchmarks.
-no_data := all install debug asan tsan valgrind soak mutants fuzz sweep-bench coverage clean help
 with_test := $(if $(filter test,$(MAKECMDGOALS)),build/release/with-test)
 with_bench := $(if $(filter-out all install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
 with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)

@@ -83,6 +83,16 @@ ProseEditRewritesTheReportOnly() { # in the copy
   grep -q 'One sentence more' build/report.html || fail "the report is not new"
 }
 
+DraftIsOneChapter() { # in the copy
+  in_copy reproduce
+  make draft CHAPTER=15 >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  [ -z "$(steps "$work/log")" ] || fail "more was made: $(cat "$work/log")"
+  grep -q '<h2[^>]*sec:conclusions' build/draft.html || fail "the chapter is not there"
+  [ "$(grep -c '<h2' build/draft.html)" -le 2 ] || fail "more than a chapter and its references"
+  ! make draft CHAPTER=150 >"$work/log" 2>&1 || fail "drew up a chapter that is not there"
+  grep -q 'draft: there is no paper/150-' "$work/log" || fail "said: $(cat "$work/log")"
+}
+
 FigureScriptEditRedrawsOneFigure() { # in the copy
   in_copy reproduce
   echo '# a comment' >>figures/slip.gp
