@@ -13,8 +13,8 @@ export LC_ALL := C.UTF-8
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
-check_packages := libgtest-dev clang-format clang-tidy libpng-dev libxml2-utils chromium parallel
-test_packages := $(figure_packages) $(check_packages)
+check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev
+test_packages := $(figure_packages) $(check_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
@@ -23,7 +23,9 @@ packages_for_data := $(data_packages)
 packages_for_figures := $(figure_packages)
 packages_for_report := $(figure_packages)
 packages_for_reproduce := $(figure_packages)
+packages_for_check := $(check_packages)
 packages_for_test := $(test_packages)
+packages_for_test-release := $(test_packages)
 packages_for_debug := $(build_packages) libgtest-dev
 packages_for_asan := $(build_packages) libgtest-dev
 packages_for_tsan := $(build_packages)
@@ -154,7 +156,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all data figures report draft reproduce test bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
+.PHONY: all data figures report draft reproduce check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -261,7 +263,7 @@ draft: | build
 
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
 # compiled and one after the other. What needs data needs the benchmarks.
-with_test := $(if $(filter test,$(MAKECMDGOALS)),build/release/with-test)
+with_test := $(if $(filter check test test-release,$(MAKECMDGOALS)),build/release/with-test)
 with_bench := $(if $(filter-out all install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
 with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)
 build/built: | $(with_test) $(with_bench) $(with_soak)
@@ -269,6 +271,8 @@ build/release/with-bench: | $(with_test)
 build/release/with-soak: | $(with_test) $(with_bench)
 bench: | $(filter test,$(MAKECMDGOALS))
 soak: | $(filter test bench,$(MAKECMDGOALS))
+test test-release: | $(filter check,$(MAKECMDGOALS))
+test-release: | $(filter test,$(MAKECMDGOALS))
 
 # A program that is compiled for the tests is compiled with -Werror, unless that would be twice.
 build/release/with-test: strict := $(if $(wildcard build/built),,-DTHERMOROLL_WERROR=ON)
@@ -279,11 +283,24 @@ build/release/with-%: | build/release/Makefile
 	@$(apart) cmake -D$(option)=ON $(strict) build/release >build/release.log || { cat build/release.log; exit 1; }
 	@touch $@
 
-## test: every test, through CTest
-test: build/data/claims.txt build/report.html
-	@echo "Building the tests"
-	@$(compile) build/release
-	@$(ctest) --test-dir build/release
+## check: the tests that find a mistake in an edit, within a minute once the rest is compiled
+check: build/built
+	@echo "Building the quick tests"
+	@$(compile) build/release --target unit-tests thermoroll-bench >build/check.log || { cat build/check.log; exit 1; }
+	@$(ctest) --test-dir build/release -L 'unit|command|bench|tangle|style|mutants' -LE slow --progress
+
+tested := build/data/claims.txt build/report.html
+build_tests = @echo "Building the tests"; $(compile) build/release
+
+## test: every test but those of test-release
+test: $(tested)
+	$(build_tests)
+	@$(ctest) --test-dir build/release -LE release
+
+## test-release: the rarest tests of the Makefile, which take a copy of the project or configure it anew
+test-release: $(tested)
+	$(build_tests)
+	@$(ctest) --test-dir build/release -L release
 
 # These builds compile their own tangled copy, with #line.
 
@@ -314,7 +331,7 @@ tsan: | build
 	$(call configure,tsan)
 	@$(compile) build/tsan --target thermoroll-cli
 	@for case in SameBytesWithAnyNumberOfJobs BadRowsGiveTheirError ClosedPipe InterruptedLeavesWholeRows; do \
-	  bash tests/command_line/sweep_test.sh $$case build/tsan/thermoroll || exit 1; echo "$$case: no race"; done
+	  bash tests/program/sweep_test.sh $$case build/tsan/thermoroll || exit 1; echo "$$case: no race"; done
 
 ## valgrind: solves and a sweep under memcheck
 valgrind: build/thermoroll

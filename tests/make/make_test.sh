@@ -102,7 +102,7 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
 
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
 # mends it.
-InterruptedRunLeavesNothingHalfWritten() { # in the copy
+InterruptedRunLeavesNothingHalfWritten() { # in the copy, for a release
   in_copy figures
   local signal before
   fake gnuplot <<'END'
@@ -123,7 +123,7 @@ END
 }
 
 # Figures drawn two at a time are the same figures.
-TwoJobsDrawTheSameFigures() { # in the copy
+TwoJobsDrawTheSameFigures() { # in the copy, for a release
   in_copy figures
   mv build/figures "$work/one-job"
   make -j2 figures >"$work/log" 2>&1 || fail "$(cat "$work/log")"
@@ -134,7 +134,7 @@ TwoJobsDrawTheSameFigures() { # in the copy
 
 # Two runs at once in one folder: the second says that it waits, and both end with all figures. The
 # first draws until the second waits.
-TwoRunsTakeTurns() { # in the copy
+TwoRunsTakeTurns() { # in the copy, for a release
   in_copy figures
   local status=0 first
   ls build/figures >"$work/all"
@@ -194,7 +194,7 @@ ConfiguresInFolderWithCapitals() {
   [ -s "$work/build/tangled/src/program/sweep.cpp" ] || fail "nothing was tangled"
 }
 
-MissingLibrary() {
+MissingLibrary() { # for a release
   local pair
   for pair in Eigen3:libeigen3-dev GSL:libgsl-dev CLI11:libcli11-dev \
     nlohmann_json:nlohmann-json3-dev GTest:libgtest-dev benchmark:libbenchmark-dev; do
@@ -232,7 +232,7 @@ SetupIsQuietWhenAllIsThere() {
   [ ! -s "$work/log" ] || fail "said: $(cat "$work/log")"
 }
 
-SetupComesFirst() { # in the copy
+SetupComesFirst() { # in the copy, for a release
   in_copy figures
   bare_debian
   fake apt-get <<<"echo install >>'$work/order'; sleep 0.3"
@@ -357,7 +357,7 @@ WarningsAreErrorsInTheTests() {
 }
 
 # The extracts in the chapter on the build stand in the Makefile, line by line.
-ChapterQuotesTheFiles() {
+ChapterQuotesTheFiles() { # of the text
   awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/C-build.md >"$work/quoted"
   [ -s "$work/quoted" ] || fail "the chapter quotes nothing"
   local line
@@ -367,7 +367,7 @@ ChapterQuotesTheFiles() {
 }
 
 # Every package of the Makefile has its reason in the chapter and in the README, and no other has.
-PackagesAreExplained() {
+PackagesAreExplained() { # of the text
   sed -n 's/^[a-z]*_\?packages[a-z_]* := //p' Makefile | tr ' ' '\n' |
     grep -x '[a-z0-9+-]\+' | sort -u >"$work/listed"
   [ -s "$work/listed" ] || fail "no packages found in the Makefile"

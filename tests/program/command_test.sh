@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # command_test.sh CASE PROGRAM: one thing that the program's users rely on, run in the project's
 # folder. The cases are the functions below that begin with a capital.
-source tests/command_line/program.sh
+source tests/program/program.sh
 
 paper_case=(--friction 0.6 --traction 0.5 --peclet 5000 --heating 0.0175)
 steel=(--friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3
@@ -711,7 +711,7 @@ LongNames() {
 
 # Too little memory is said to be that, with what is needed or was in use; in a sweep only the row
 # that needs it fails.
-TooLittleMemory() {
+TooLittleMemory() { # slow
   with_little() { (ulimit -v 300000 && "$program" "$@" >out 2>err) || status=$?; } # kilobytes
   local scheme="gauss-chebyshev with 5000 nodes needs 800 MB of memory, too much here"
   status=0
@@ -758,7 +758,7 @@ MessagesAreText() {
 }
 
 # The letters and decimals of a language make no difference.
-SameInEveryLocale() {
+SameInEveryLocale() { # slow
   mkdir "$scratch/locales"
   localedef -i tr_TR -f UTF-8 "$scratch/locales/tr_TR.UTF-8" >/dev/null 2>&1 &&
     localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1 ||
