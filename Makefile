@@ -287,7 +287,7 @@ build/release/with-%: | build/release/Makefile
 check: build/built
 	@echo "Building the quick tests"
 	@$(compile) build/release --target unit-tests thermoroll-bench >build/check.log || { cat build/check.log; exit 1; }
-	@$(ctest) --test-dir build/release -L 'unit|command|bench|tangle|style|mutants' -LE slow --progress
+	@$(ctest) --preset check
 
 tested := build/data/claims.txt build/report.html
 build_tests = @echo "Building the tests"; $(compile) build/release

@@ -338,7 +338,7 @@ WarningsAreErrorsInTheTests() {
   cmake --preset release -B "$work/build" >/dev/null
   ! strict || fail "the program stops at warnings"
   local preset
-  for preset in debug asan-ubsan tsan coverage; do
+  for preset in dev debug asan-ubsan tsan coverage; do
     rm -r "$work/build"
     cmake --preset $preset -B "$work/build" >/dev/null
     strict || fail "$preset goes on"
@@ -354,6 +354,17 @@ WarningsAreErrorsInTheTests() {
   touch build/built
   make -n test >"$work/log" 2>&1
   ! grep -q WERROR "$work/log" || fail "a program that is there is compiled again"
+}
+
+# Where there is ccache, it is asked before the compiler, unless another launcher is chosen or none.
+CompilesThroughCcache() {
+  unset CMAKE_CXX_COMPILER_LAUNCHER
+  fake ccache <<<'exec "$@"'
+  launched() { grep -rqF "$1" "$work/build" --include=build.make; }
+  with_fakes cmake -B "$work/build" >/dev/null
+  launched /fakes/ccache || fail "ccache is not used"
+  with_fakes cmake -B "$work/build" -DCMAKE_CXX_COMPILER_LAUNCHER=env >/dev/null
+  ! launched /ccache || fail "ccache is used in place of another launcher"
 }
 
 # The extracts in the chapter on the build stand in the Makefile, line by line.
