@@ -37,6 +37,7 @@ packages_for_fuzz := $(build_packages) clang libclang-rt-dev
 packages_for_coverage := $(build_packages) libgtest-dev
 packages_for_bench := $(data_packages)
 packages_for_draft := $(build_packages)
+packages_for_where := $(build_packages)
 packages_for_pdf := $(figure_packages) chromium
 packages_for_clean :=
 packages_for_help :=
@@ -156,7 +157,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all data figures report draft reproduce check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
+.PHONY: all where data figures report draft reproduce check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -183,10 +184,18 @@ build build/data build/figures:
 	@mkdir -p $@
 
 # The tangler touches a file in src/ only when its content changes, so prose alone compiles nothing.
+tangle = pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null $(chapters)
 build/tangle.stamp: paper/tangle.lua $(chapters) | build
 	$(call step,tangling the chapters)
-	@pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null $(chapters)
+	@$(tangle)
 	@touch $@
+
+## where: the line of a chapter that is AT=src/solver/coupled.cpp:120
+where: | build
+	@TANGLE_ROOT=build/where TANGLE_LINES=1 $(tangle)
+	@awk -v file='$(AT)' 'BEGIN { split(file, at, ":"); ARGV[1] = "build/where/" at[1]; ARGC = 2 } \
+	  /^#line / { source = $$3; number = $$2 - 1; next } \
+	  { ++number } ++lines >= at[2] && lines > 1 { gsub(/"/, "", source); print source ":" number; exit }'
 
 build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 	$(call configure,release)
@@ -264,7 +273,7 @@ draft: | build
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
 # compiled and one after the other. What needs data needs the benchmarks.
 with_test := $(if $(filter check test test-release,$(MAKECMDGOALS)),build/release/with-test)
-with_bench := $(if $(filter-out all install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
+with_bench := $(if $(filter-out all where draft install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
 with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)
 build/built: | $(with_test) $(with_bench) $(with_soak)
 build/release/with-bench: | $(with_test)

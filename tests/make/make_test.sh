@@ -367,6 +367,16 @@ CompilesThroughCcache() {
   ! launched /ccache || fail "ccache is used in place of another launcher"
 }
 
+# Any line of a source is found in its chapter.
+WhereNamesTheChaptersLine() { # of the text
+  local file=src/solver/coupled.cpp number place
+  for number in 2 50 100 200; do
+    place=$(make where AT=$file:$number)
+    diff <(sed -n "${number}s/^ *//p" $file) <(sed -n "${place##*:}s/^ *//p" "${place%:*}") || fail "$number: $place"
+  done
+  [ "$(make where AT=$file)" = "$(make where AT=$file:2)" ] || fail "without a line: $(make where AT=$file)"
+}
+
 # The extracts in the chapter on the build stand in the Makefile, line by line.
 ChapterQuotesTheFiles() { # of the text
   awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/C-build.md >"$work/quoted"

@@ -916,7 +916,8 @@ ClaimsInThreeFormats() {
 
 Version() {
   answers --version
-  grep -qx 'thermoroll [0-9]*\.[0-9]*\.[0-9]*' out || fail "$(cat out)"
+  grep -qxE 'thermoroll [0-9]+\.[0-9]+\.[0-9]+( \(.*[0-9a-f]{4,}(-dirty)?\))?' out || fail "$(cat out)"
+  [ ! -e "$project/.git" ] || grep -q '(' out || fail "without a revision: $(cat out)"
 }
 
 Help() {
