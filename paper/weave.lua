@@ -681,9 +681,9 @@ local function coloured_chunks()
   local coloured = {}
   for name, parts in pairs(collected) do
     coloured[name] = pandoc.List(parts):map(function(piece)
-      local code = {}
-      for k, line in ipairs(piece.code) do code[k] = tangle.reference(line) and line or piece.html[k] end
-      return { code = code, source = piece.source, line = piece.line }
+      local copy = { code = {} }
+      for k, line in ipairs(piece.code) do copy.code[k] = tangle.reference(line) and line or piece.html[k] end
+      return setmetatable(copy, { __index = piece })
     end)
   end
   return coloured
