@@ -395,6 +395,40 @@ END
   expect '⟨The first 2⟩part 1 of 2 ↓' '⟨The second 2⟩part 2 of 2 ↑' 'See ⟨both 2⟩.'
 }
 
+# A draft is one chapter with the numbers that it has in the whole. It tells of its own mistakes only,
+# and is written with them.
+DraftIsOneChapter() {
+  cat >two.md <<'END'
+# Second {#sec:second}
+
+$$ b $$ {#eq:b}
+
+See @eq:a, @eq:b and @eq:nowhere in @sec:second after @sec:first.
+
+``` {.cpp #part}
+int b;
+```
+END
+  chapter <<'END'
+# First {#sec:first}
+
+$$ a $$ {#eq:a}
+
+![Not drawn.](figures/f.svg){#fig:f fig-alt="A curve"}
+
+``` {.cpp file=src/a.cpp}
+int a;
+<<part>>
+```
+END
+  weave page.html one.md two.md -M draft=two.md 2>errors || fail "stopped: $(cat errors)"
+  echo 'two.md:5: unknown reference @eq:nowhere' | diff - errors || fail "other mistakes"
+  local text
+  text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
+  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
+    fail "the page: $text"
+}
+
 WovenTwiceAlike() {
   draw f
   chapter <<'END'
