@@ -45,7 +45,7 @@ struct LastGrid {
   SmoothFlux flux = smooth_flux(x);
   ContactGrid grid = contact_grid(steel, sign, {flux.slip, flux.stick}, 60);
   ThermalTerms thermal(Eigen::Index terms) const {
-    return thermal_terms(steel, sign, grid.nodes, terms, grid.rules.ray);
+    return thermal_terms(steel, sign, grid.nodes, terms, grid.rules.graded);
   }
 };
 

@@ -1,4 +1,4 @@
-// Tangled from paper/10-coupled-solver.md; edit there.
+// Tangled from paper/10-coupled-problem.md, paper/10b-border-and-error.md, paper/10c-temperatures-and-profiles.md; edit there.
 #include "thermoroll/coupled.hpp"
 
 #include <algorithm>
@@ -7,14 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "solver/contact_grid.hpp"
+#include "solver/surface.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/carter.hpp"
 
 namespace thermoroll {
-namespace {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
@@ -22,61 +20,7 @@ using Eigen::Infinity;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Solve @eq:h at the given share of the heating from the start h; the number of steps, 0 if it
-/// fails.
-int newton(const ContactGrid& grid, double share, VectorXd& h) {
-  const TractionOperators& x = grid.tractions;
-  const MatrixXd& legendre = grid.rules.slip.p;
-  const ArrayXd& sigma = grid.nodes.sigma;
-  Eigen::PartialPivLU<MatrixXd> jacobian;
-  double moved = 1;
-  for (int step = 1; step <= 25; ++step) {
-    const ArrayXd p = share * (x.p * h).array() + x.p0;
-    const ArrayXd v = share * (x.v * h).array() + x.v0;
-    if (moved > 1e-3)
-      jacobian.compute(legendre - share * (sigma * v).matrix().asDiagonal() * x.p -
-                       share * (sigma * p).matrix().asDiagonal() * x.v);
-    const VectorXd change = jacobian.solve(legendre * h - (sigma * p * v).matrix());
-    h -= change;
-    moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
-    if (!std::isfinite(moved)) return 0;
-    if (moved < 1e-10) return step;  // what is left is at most a thousandth of it
-  }
-  return 0;
-}
-
-/// The Legendre coefficients of Carter's h at the nodes of the grid.
-VectorXd carter_start(const ContactGrid& grid) {
-  const double f = grid.scene.friction;
-  return to_legendre(grid.rules.slip) * (4 * f / (pi * pi) * grid.nodes.sigma).matrix();
-}
-
-/// Solve by Newton's method from h or, should that be no contact, by continuation in the heating
-/// from Carter's h; steps at the full heating, 0 if it fails.
-int solve_flux(const ContactGrid& grid, VectorXd& h) {
-  const auto slips = [&](double share, const VectorXd& at) {
-    return share * (grid.tractions.v * at).minCoeff() > -grid.tractions.v0;
-  };
-  const int direct = newton(grid, 1, h);
-  if (direct > 0 && slips(1, h)) return direct;
-  VectorXd continued = carter_start(grid);
-  for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
-    const double next = std::min(1.0, share * growth);
-    VectorXd trial = continued;
-    const int steps = newton(grid, next, trial);
-    if (steps == 0 || !slips(next, trial)) {
-      growth = std::sqrt(growth);
-      continue;
-    }
-    if (next == 1) {
-      h = trial;
-      return steps;
-    }
-    continued = trial;
-    share = next;
-  }
-  return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
-}
+namespace {
 
 struct GridSolution {
   ZoneLengths at;
@@ -114,16 +58,16 @@ GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
   return found;
 }
 
-/// The border moved towards s = 1; the shorter zone keeps its digits.
-ZoneLengths moved_by(const ZoneLengths& x, double step) {
-  const double slip = x.slip - step, stick = x.stick + step;
-  return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
-}
-
 /// What a solution misses of what is given; a border is measured from the nearer end.
 double residual(const GridSolution& x, const Prescribed& given) {
   if (given.quantity != border) return given.value - x.value(given.quantity);
   return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
+}
+
+/// The border moved towards s = 1; the shorter zone keeps its digits.
+ZoneLengths moved_by(const ZoneLengths& x, double step) {
+  const double slip = x.slip - step, stick = x.stick + step;
+  return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
 }
 
 /// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
@@ -151,6 +95,32 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
   }
   level.newton_steps = 0;
   return level;
+}
+
+/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
+GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
+  const auto with = [&](double stick, const GridSolution& from) {
+    return solve_on_grid(scene, formulation, n, {2 - stick, stick}, from);
+  };
+  GridSolution level = with(1e-6, {});
+  if (level.newton_steps > 0) return level;
+  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    level = with(stick, level);
+  return level;
+}
+
+/// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
+void check_slips_in_part(const Scene& scene, Formulation formulation, int n, double given) {
+  const GridSolution full = next_to_full_slip(scene, formulation, std::max(40, n));
+  const double most = full.value(creep);
+  if (full.newton_steps > 0)
+    require(given < most, "creep", given,
+            "below " + shortest(most) + ", where the whole contact slips");
+}
+
+bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.what == y.what; });
 }
 
 /// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
@@ -190,70 +160,12 @@ double estimate(const Values& change, double now, double before, int n, bool slo
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 
-bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x.what == y.what; });
-}
-
-/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
-GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
-  const auto with = [&](double stick, const GridSolution& from) {
-    return solve_on_grid(scene, formulation, n, {2 - stick, stick}, from);
-  };
-  GridSolution level = with(1e-6, {});
-  if (level.newton_steps > 0) return level;
-  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
-    level = with(stick, level);
-  return level;
-}
-
-/// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
-void check_slips_in_part(const Scene& scene, Formulation formulation, int n, double given) {
-  const GridSolution full = next_to_full_slip(scene, formulation, std::max(40, n));
-  const double most = full.value(creep);
-  if (full.newton_steps > 0)
-    require(given < most, "creep", given,
-            "below " + shortest(most) + ", where the whole contact slips");
-}
-
 /// The grid of n unknowns at the border of a solution.
 ContactGrid grid_of(const CoupledSolution& x, int n) {
   return contact_grid(x.scene, x.formulation, {x.value(slip_length), 1 + x.value(border)}, n);
 }
 
 }  // namespace
-
-Values scale_of(const Values& v) {
-  Values scale = Values::Ones();
-  for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
-  return scale;
-}
-
-Values carter_values(const Carter& c) {
-  const double q = c.friction * c.slip_half_width * (1 + c.b);
-  Values values;
-  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
-  return values;
-}
-
-Values carter_slope(const Carter& c, Quantity by) {
-  const double step = 1e-3 * std::min(c.b, c.slip_half_width), half = c.slip_half_width - step;
-  const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
-  const Values change = carter_values(moved) - carter_values(c);
-  return change / change(by);
-}
-
-double rounding(const Prescribed& given, const Values& slope, const Values& scale) {
-  if (given.quantity == border) return 0;  // both lengths are exact
-  return 1e-15 * (given.value * slope / scale).head(hottest + 1).abs().maxCoeff();
-}
-
-FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
-  const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, n);
-  const TractionOperators& x = grid.tractions;
-  const MatrixXd to = to_legendre(grid.rules.slip);
-  return {scene.friction, grid.nodes.s, 1 + grid.nodes.s, x.p * to, x.v * to, x.kappa * to};
-}
 
 void check(double friction, const Prescribed& given) {
   const std::string no_braking = " (braking is not modelled)",
@@ -282,6 +194,20 @@ Carter carter_given(double friction, const Prescribed& given) {
   require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
+}
+
+Values carter_values(const Carter& c) {
+  const double q = c.friction * c.slip_half_width * (1 + c.b);
+  Values values;
+  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
+  return values;
+}
+
+Values carter_slope(const Carter& c, Quantity by) {
+  const double step = 1e-3 * std::min(c.b, c.slip_half_width), half = c.slip_half_width - step;
+  const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
+  const Values change = carter_values(moved) - carter_values(c);
+  return change / change(by);
 }
 
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
@@ -343,6 +269,24 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   }
   throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
                            std::to_string(n) + " unknowns");
+}
+
+double rounding(const Prescribed& given, const Values& slope, const Values& scale) {
+  if (given.quantity == border) return 0;  // both lengths are exact
+  return 1e-15 * (given.value * slope / scale).head(hottest + 1).abs().maxCoeff();
+}
+
+Values scale_of(const Values& v) {
+  Values scale = Values::Ones();
+  for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
+  return scale;
+}
+
+FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
+  const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, n);
+  const TractionOperators& x = grid.tractions;
+  const MatrixXd to = to_legendre(grid.rules.slip);
+  return {scene.friction, grid.nodes.s, 1 + grid.nodes.s, x.p * to, x.v * to, x.kappa * to};
 }
 
 HeatFlux coupled_flux(const CoupledSolution& x) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "solver/contact_grid.hpp"
+#include "solver/surface.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {

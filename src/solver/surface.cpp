@@ -1,14 +1,127 @@
-// Tangled from paper/10-coupled-solver.md; edit there.
+// Tangled from paper/10c-temperatures-and-profiles.md; edit there.
 #include "solver/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "solver/contact_grid.hpp"
+#include "solver/graded_rule.hpp"
 
 namespace thermoroll {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double underflow_distance = 350;  // exp(-2 zeta) is 1e-304 here
+
+/// M(side zeta), zeta > 0.
+GradedArray temperature_kernel(double side, const GradedArray& zeta) {
+  const std::vector<Kernels> k = at_distances(zeta);
+  GradedArray m(zeta.size());
+  for (Index i = 0; i < m.size(); ++i) m[i] = k[static_cast<std::size_t>(i)].m_down;
+  if (side > 0) m *= (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
+  return m;
+}
+
+/// The sum of M times the heat, at a distance from the start of the graded.
+double temperature_sum(const GradedRule& graded, const GradedArray& heat, double side,
+                       double distance) {
+  if (side > 0 && distance > underflow_distance) return 0;
+  return (temperature_kernel(side, graded.zeta + distance) * heat).sum();
+}
+
+}  // namespace
+
+TemperatureAndSlope temperature_and_slope(double slip, double peclet, const VectorXd& h,
+                                          double left, double right, double gap,
+                                          const GaussLegendre& rule) {
+  TemperatureAndSlope sum{0, 0};
+  GradedRule graded;
+  const VectorXd dh = derivative(h);
+  for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
+    if (side < 0 && left == 0) continue;
+    grade(graded, peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
+    if (side > 0) graded.cut(20);
+    const GradedArray value = series(side, graded.y, h), slope = series(side, graded.y, dh);
+    const GradedArray m = temperature_kernel(side, graded.zeta);
+    sum.value += (m * graded.heat * value).sum();
+    sum.slope += (m * (side * graded.by_h * value + graded.by_dh * slope)).sum();
+  }
+  return {slip * slip / pi * sum.value, slip / pi * sum.slope};
+}
+
+/// The hottest point by temperatures alone.
+HottestPoint search(double slip, double peclet, const VectorXd& h, const GaussLegendre& rule) {
+  const auto value = [&](double y) {
+    return std::abs(y) < 1 ? temperature_and_slope(slip, peclet, h, 1 + y, 1 - y, 0, rule).value
+                           : 0;
+  };
+  HottestPoint top{0, 0};
+  for (double apart = 1.0 / 16; apart > 1e-5; apart /= 8) {
+    const double middle = top.y;
+    for (int i = -16; i <= 16; ++i) {
+      const double y = middle + i * apart, now = value(y);
+      if (now > top.value) top.y = y, top.value = now;
+    }
+  }
+  return top;
+}
+
+HottestPoint find_hottest(double slip, double peclet, const VectorXd& h, const HottestPoint& near,
+                          const GaussLegendre& rule) {
+  double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
+         hottest = 0;
+  for (int step = 0;; ++step) {
+    const SlipPoint at(1 + y, 1 - y);
+    const TemperatureAndSlope now = temperature_and_slope(slip, peclet, h, 1 + y, 1 - y, 0, rule);
+    const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
+    if (step > 0) curvature = (slope - before) / (y - last);
+    (slope > 0 ? low : high) = y;
+    const double move = std::clamp(-slope / curvature, -0.3, 0.3), next = y + move;
+    const bool known = step > 0 || near.value > 0;  // the curvature
+    hottest = std::max(hottest, now.value);
+    if ((known && std::abs(move) < 1e-5) || step == 60) {
+      if (now.value < hottest * (1 - 1e-6)) return search(slip, peclet, h, rule);
+      return {next, now.value * (1 + slope * move / 2), curvature};
+    }
+    last = y, before = slope;
+    y = low < next && next < high ? next : (low + high) / 2;
+  }
+}
+
+ArrayXd surface_temperature(const ZoneLengths& border, double peclet, const VectorXd& h,
+                            const ArrayXd& s, const GaussLegendre& rule) {
+  const double slip = border.slip;
+  GradedRule first, last, graded;
+  grade(first, peclet * slip, 0, 0, 2, rule), grade(last, peclet * slip, 0, 0, 2, rule);
+  first.cut(20);
+  const GradedArray at_first = first.heat * series(1, first.y, h);
+  const GradedArray at_last = last.heat * series(-1, last.y, h);
+  ArrayXd sums(s.size());
+  for (Index i = 0; i < s.size(); ++i) {
+    const double right = 1 - s(i);
+    const double left = slip < border.stick ? slip - right : 1 + s(i) - border.stick;
+    if (left <= 0) {
+      sums(i) = temperature_sum(first, at_first, 1, -peclet * left);
+    } else if (right <= 0) {
+      sums(i) = temperature_sum(last, at_last, -1, -peclet * right);
+    } else {
+      const double share = std::min({left, right, slip / 2}) / slip;
+      const double near = distance_of_share(share), far = 2 - near;
+      const auto from = [&](double behind, double ahead, double side) {
+        grade(graded, peclet * slip, 0, behind, ahead, rule);
+        if (side > 0) graded.cut(20);
+        return temperature_sum(graded, graded.heat * series(side, graded.y, h), side, 0);
+      };
+      sums(i) = left < right ? from(near, far, 1) + from(far, near, -1)
+                             : from(far, near, 1) + from(near, far, -1);
+    }
+  }
+  return slip * slip / pi * sums;
+}
 
 SmoothFlux smooth_flux(const Carter& c) {
   const ZoneLengths at{2 * c.slip_half_width, 2 * c.b};
@@ -19,13 +132,11 @@ SmoothFlux smooth_flux(const CoupledSolution& x) {
   return {x.value(slip_length), 1 + x.value(border), x.h};
 }
 
-namespace {
 /// Estimated error of all temperatures, of which the largest is top, from what eight more nodes
 /// have changed at most.
 double quadrature_error(int nodes, double change, double top) {
   return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }
-}  // namespace
 
 SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s, double tolerance) {
   require(peclet > 0, "peclet", peclet, "positive");

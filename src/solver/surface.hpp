@@ -1,8 +1,9 @@
-// Tangled from paper/10-coupled-solver.md; edit there.
+// Tangled from paper/10c-temperatures-and-profiles.md; edit there.
 #pragma once
 
 #include <Eigen/Core>
 
+#include "solver/nodes.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/temperature.hpp"
@@ -16,6 +17,32 @@ struct SmoothFlux {
   Eigen::VectorXd h;
 };
 
+/// T* and dT*/ds.
+struct TemperatureAndSlope {
+  double value, slope;
+};
+
+/// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
+/// or, with left = 0, across a gap (in lengths of the slip zone); a rule of a multiple of eight
+/// nodes.
+TemperatureAndSlope temperature_and_slope(double slip, double peclet, const Eigen::VectorXd& h,
+                                          double left, double right, double gap,
+                                          const GaussLegendre& rule);
+
+/// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
+/// multiple of eight nodes.
+Eigen::ArrayXd surface_temperature(const ZoneLengths& at, double peclet, const Eigen::VectorXd& h,
+                                   const Eigen::ArrayXd& s, const GaussLegendre& rule);
+
+/// The hottest point of the slip zone and T* there.
+struct HottestPoint {
+  double y = 0.43, value = 0, curvature = -3;  // curvature: the second derivative of ln T by y
+};
+
+/// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes.
+HottestPoint find_hottest(double slip, double peclet, const Eigen::VectorXd& h,
+                          const HottestPoint& near, const GaussLegendre& rule);
+
 SmoothFlux smooth_flux(const Carter& c);
 SmoothFlux smooth_flux(const CoupledSolution& x);
 
@@ -26,7 +53,7 @@ struct SurfaceCurve {
 };
 
 /// T* on the surface at every s. The error estimate, to which that of the flux is to be added, is
-/// below tolerance >= 1e-12 times the largest T*, or what rays of 480 nodes leave.
+/// below tolerance >= 1e-12 times the largest T*, or what graded rules of 480 nodes leave.
 SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const Eigen::ArrayXd& s,
                            double tolerance);
 

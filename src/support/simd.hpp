@@ -1,11 +1,11 @@
-// Tangled from paper/10-coupled-solver.md; edit there.
+// Tangled from paper/G-fast-kernels.md; edit there.
 #pragma once
 
 #include <cstring>
 
 namespace thermoroll {
 
-/// Pack4 numbers at a time: one register of a processor with AVX2, two of any other of its kind.
+/// Four numbers at a time: one register of a processor with AVX2, two of any other of its kind.
 using Pack4 [[gnu::vector_size(32)]] = double;
 
 /// Take the four numbers from there on, or put them there.

@@ -1,0 +1,56 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#include "solver/gauss_legendre.hpp"
+
+#include <map>
+#include <new>
+
+#include <gsl/gsl_integration.h>
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// P_0 ... P_{n-1} at x, a column each.
+MatrixXd legendre(const ArrayXd& x, Index n) {
+  MatrixXd p = MatrixXd::Ones(x.size(), n);
+  if (n > 1) p.col(1) = x;
+  for (Index l = 1; l + 1 < n; ++l) {
+    const double down = 1 - 1 / static_cast<double>(l + 1);  // l / (l + 1)
+    p.col(l + 1) = (1 + down) * x * p.col(l).array() - down * p.col(l - 1).array();
+  }
+  return p;
+}
+
+static GaussLegendre make_rule(int n) {
+  GaussLegendre rule{ArrayXd(n), ArrayXd(n), {}, {}, {}};
+  const auto size = static_cast<std::size_t>(n);
+  gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);
+  if (table == nullptr) throw std::bad_alloc();
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto k = static_cast<Index>(i);
+    gsl_integration_glfixed_point(-1, 1, i, &rule.x(k), &rule.w(k), table);
+  }
+  gsl_integration_glfixed_table_free(table);
+  rule.rho = (1 + rule.x) / 2, rule.cube = rule.rho.cube();
+  const MatrixXd all = legendre(rule.x, n + 1);
+  rule.p = all.leftCols(n);
+  const ArrayXd slope_of_p_n = n * (all.col(n - 1).array() - rule.x * all.col(n).array());
+  rule.w = 2 * (1 - rule.x.square()) / slope_of_p_n.square();
+  return rule;
+}
+
+const GaussLegendre& gauss_legendre(int n) {
+  thread_local std::map<int, GaussLegendre> known;
+  auto found = known.find(n);
+  if (found == known.end()) found = known.emplace(n, make_rule(n)).first;
+  return found->second;
+}
+
+MatrixXd to_legendre(const GaussLegendre& rule) {
+  const ArrayXd l = ArrayXd::LinSpaced(rule.x.size(), 0, static_cast<double>(rule.x.size() - 1));
+  return (l + 0.5).matrix().asDiagonal() * rule.p.transpose() * rule.w.matrix().asDiagonal();
+}
+
+}  // namespace thermoroll

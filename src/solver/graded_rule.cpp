@@ -1,0 +1,117 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#include "solver/graded_rule.hpp"
+
+#include <cmath>
+
+#include "support/simd.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Quadrature nodes from the target at y0 to y = 1; left = 1 + y0 and right = 1 - y0. The gap, in
+/// lengths of the slip zone, is that of a target in the stick zone, with left = 0.
+void grade(GradedRule& graded, double peclet, double gap, double left, double right,
+           const GaussLegendre& rule) {
+  const SlipPoint from(left, right);
+  const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27);
+  const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
+  const double k = std::log1p(right / delta);
+  const GradedArray power = k * rule.cube, grown = power.exp();
+  GradedArray step = delta * (grown - 1);
+  for (Index i = 0; i < step.size() && power[i] < 0.1; ++i) step[i] = delta * std::expm1(power[i]);
+  const GradedArray dy = 1.5 * k * delta * rule.w * rule.rho.square() * grown;
+  graded.y = from.y + step;
+  const GradedArray eta = left + step, rest = right - step;
+  const GradedArray u = slip_cubic(eta), v = slip_cubic(rest), du = (3 + 12 * eta * rest) / 22;
+  const GradedArray slope = (15 - 4 * (from.y * (from.y + graded.y) + graded.y.square())) / 22;
+  const auto near_left = u + from.u < 1;
+  const GradedArray x = near_left.select(u + from.u, v + from.v);
+  const GradedArray product = near_left.select(u * from.u, v * from.v);
+  const GradedArray apart = step * slope * (3 * x - 2 * (x.square() - product));
+  graded.zeta = peclet * (apart + gap);
+  const GradedArray omega = ((1 + 2 * u) * (1 + 2 * v)).sqrt(), uv = u * v;
+  const GradedArray middle = v.square() * (1 + 2 * u) - u.square() * (1 + 2 * v);  // 1 - 2t
+  graded.by_dh = uv * omega * dy;
+  graded.heat = 6 * uv * du * graded.by_dh;
+  graded.by_h = 3 * middle / omega * du * dy;
+}
+
+/// The kernels at all of these distances.
+std::vector<Kernels> at_distances(const ArrayXd& zeta) {
+  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
+  fast_kernels(k.size(), zeta.data(), k.data());
+  return k;
+}
+
+/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored graded.
+void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
+  const std::vector<Kernels> kernels = at_distances(graded.zeta);
+  weights.resize(graded.y.size(), 5);
+  for (Index i = 0; i < graded.y.size(); ++i) {
+    const Kernels& k = kernels[static_cast<std::size_t>(i)];
+    weights.row(i) << k.n1 * graded.heat(i), k.n1 * graded.by_h(i), k.n1 * graded.by_dh(i),
+        k.n2_up * graded.heat(i), k.n2_down * graded.heat(i);
+  }
+}
+
+/// Column l of sums receives the sums of the five weights times P_l(y), for all columns.
+THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& weights,
+                                     Sums& sums) {
+  GradedArray now = GradedArray::Ones(y.size()), next = y;
+  Pack4 x, p, q, weight;
+  for (Index l = 0; l < sums.cols(); ++l) {
+    const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
+    Pack4 sum[5] = {};
+    for (Index k = 0; k < y.size(); k += 4) {
+      load(&y[k], x), load(&now[k], p), load(&next[k], q);
+      for (Index w = 0; w < 5; ++w) load(&weights(k, w), weight), sum[w] += weight * p;
+      store(q, &now[k]), store(up * x * q - down * p, &next[k]);
+    }
+    for (Index w = 0; w < 5; ++w) sums(w, l) = sum_of(sum[w]);
+  }
+}
+
+MatrixXd by_derivatives(const MatrixXd& sums) {
+  MatrixXd x = MatrixXd::Zero(sums.rows(), sums.cols());
+  for (Index l = 1; l < x.cols(); ++l) {
+    x.col(l) = static_cast<double>(2 * l - 1) * sums.col(l - 1);
+    if (l > 1) x.col(l) += x.col(l - 2);
+  }
+  return x;
+}
+
+/// The sums of c(l) P_l(side y), twice four nodes at a time, as each term waits for the last.
+THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
+  GradedArray sums(y.size());
+  VectorXd down(c.size());
+  for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
+  for (Index k = 0; k < y.size(); k += 8) {
+    Pack4 x, z;
+    load(&y[k], x), load(&y[k + 4], z);
+    x *= side, z *= side;
+    Pack4 a = {}, p = a + 1, q = x, b = {}, u = p, v = z;
+    for (Index l = 0; l < c.size(); ++l) {
+      a += c(l) * p, b += c(l) * u;
+      const Pack4 then = (1 + down(l)) * x * q - down(l) * p;
+      const Pack4 next = (1 + down(l)) * z * v - down(l) * u;
+      p = q, q = then, u = v, v = next;
+    }
+    store(a, &sums[k]), store(b, &sums[k + 4]);
+  }
+  return sums;
+}
+
+/// The coefficients of the derivative.
+VectorXd derivative(const VectorXd& c) {
+  VectorXd d = VectorXd::Zero(c.size());
+  for (Index l = c.size() - 2; l >= 0; --l)
+    d(l) = static_cast<double>(2 * l + 1) *
+           (c(l + 1) + (l + 2 < c.size() ? d(l + 2) / static_cast<double>(2 * l + 5) : 0));
+  return d;
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,55 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "model/kernel_table.hpp"
+#include "solver/nodes.hpp"
+
+namespace thermoroll {
+
+template <int columns>
+using GradedArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
+using GradedArray = GradedArrays<1>;
+using KernelWeights = GradedArrays<5>;
+using Sums = Eigen::Matrix<double, 5, Eigen::Dynamic>;
+
+struct GradedRule {
+  GradedArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
+  /// Keep the first nodes, eight by eight, up to where zeta is by so much beyond the first.
+  void cut(double reach) {
+    const Eigen::Index heard = ((zeta < zeta[0] + reach).count() + 7) / 8 * 8;
+    for (GradedArray* x : {&y, &zeta, &heat, &by_h, &by_dh})
+      x->conservativeResize(std::min(heard, y.size()));
+  }
+};
+
+/// Quadrature nodes from the target at y0 to y = 1; left = 1 + y0 and right = 1 - y0. The gap, in
+/// lengths of the slip zone, is that of a target in the stick zone, with left = 0. The Péclet
+/// number is that of the slip zone.
+void grade(GradedRule& graded, double peclet, double gap, double left, double right,
+           const GaussLegendre& rule);
+
+/// The kernels at all of these distances |zeta| > 0.
+std::vector<Kernels> at_distances(const Eigen::ArrayXd& zeta);
+
+/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored rule.
+void kernel_weights(const GradedRule& graded, KernelWeights& weights);
+
+/// Column l of sums receives the sums of the five weights times P_l(y), for all columns; a multiple
+/// of four nodes.
+void legendre_sums(const GradedArray& y, const KernelWeights& weights, Sums& sums);
+
+/// From sums with P_l, a column each, to sums with P_l'.
+Eigen::MatrixXd by_derivatives(const Eigen::MatrixXd& sums);
+
+/// The sums of c(l) P_l(side y), for a multiple of eight nodes.
+GradedArray series(double side, const GradedArray& y, const Eigen::VectorXd& c);
+
+/// The coefficients of the derivative of such a series.
+Eigen::VectorXd derivative(const Eigen::VectorXd& c);
+
+}  // namespace thermoroll

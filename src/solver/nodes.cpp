@@ -1,0 +1,54 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#include "solver/nodes.hpp"
+
+#include <cmath>
+
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd carter_h(const ZoneLengths& at, double friction) {
+  const GaussLegendre& rule = gauss_legendre(10);
+  VectorXd h(10);
+  for (Index i = 0; i < 10; ++i)
+    h(i) = at.stick + at.slip * SlipPoint(1 + rule.x(i), 1 - rule.x(i)).t();
+  return 4 * friction / (pi * pi) * (to_legendre(rule) * h);
+}
+
+Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick) {
+  const Index n = slip.x.size(), m = stick.x.size();
+  Nodes z{zones, slip.x, ArrayXd(n), {}, {}, {}, {}, {}, VectorXd(n + m), VectorXd(n)};
+  for (Index i = 0; i < n; ++i) {
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
+    const double du = at.du * slip.w(i), uv = at.u * at.v;
+    z.t(i) = at.t();
+    z.heat(i) = 6 * uv * uv * at.omega() * du;
+    z.over_root(i) = 6 * at.u / std::sqrt(1 + 2 * at.u) * du;
+  }
+  const double fine = std::min(1.0, std::sqrt(zones.slip / zones.stick));
+  const double k = std::log1p(1 / fine);
+  const ArrayXd grown = (k * stick.rho).exp(), q = fine * (grown - 1);
+  const ArrayXd dq = fine * k / 2 * grown * stick.w;
+  z.d = zones.stick * q.square() * (3 - 2 * q);
+  z.over_w = 6 * dq / ((3 - 2 * q) * (1 + 2 * q)).sqrt();
+  z.over_root.tail(m) = dq * 6 * q / (1 + 2 * q).sqrt();
+  z.s = zones.c0() + zones.slip * z.t;
+  z.r = zones.c0() - z.d;
+  z.sigma = zones.stick + zones.slip * z.t;
+  z.over_root.head(n).array() *= (zones.slip / z.sigma).sqrt();
+  z.over_root.tail(m).array() *= (zones.stick / (zones.slip + z.d)).sqrt();
+  return z;
+}
+
+double distance_of_share(double t) {
+  const double phi = 2 * std::asin(std::sqrt(t));
+  const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
+  const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
+  return eta - (slip_cubic(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));
+}
+
+}  // namespace thermoroll

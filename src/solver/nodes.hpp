@@ -1,0 +1,100 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "solver/gauss_legendre.hpp"
+
+namespace thermoroll {
+
+/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2.
+struct ZoneLengths {
+  double slip, stick;
+  double c0() const { return (stick - slip) / 2; }
+};
+
+/// The rule of n nodes or a few more, to be taken so many at a time.
+inline const GaussLegendre& rounded_up(int group, int n) {
+  return gauss_legendre((n + group - 1) / group * group);
+}
+
+/// By how many decades the speed lambda of a slip zone exceeds 1e4.
+inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(lambda) - 4); }
+
+/// By how many decades the slip zone is shorter than a hundredth of the stick zone; at most 20, as
+/// the quotient of a length next to zero is infinite.
+inline double decades_shorter(const ZoneLengths& at) {
+  return std::min(std::max(0.0, std::log10(at.stick / at.slip) - 2), 20.0);  // 0 for NaN
+}
+
+/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids
+/// are those of strong heating, which needs G as fine as h.
+inline int stick_nodes(int n, const ZoneLengths& at) {
+  return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades_shorter(at));
+}
+
+/// Nodes of a graded rule for temperatures: the more the faster the slip zone, lambda, is.
+inline int temperature_nodes(int n, double lambda) {
+  return std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24;
+}
+
+/// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which strong heating
+/// needs as fine as h, and of those for temperatures.
+struct GridRules {
+  explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1)
+      : slip(gauss_legendre(n)),
+        stick(gauss_legendre(stick_nodes(n, at))),
+        graded(rounded_up(4, n > 64 ? n : 16 + (n + 2) / 3)),
+        fine(rounded_up(8, temperature_nodes(n, at.slip * peclet))) {}
+  const GaussLegendre &slip, &stick, &graded, &fine;
+};
+
+/// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].
+template <class Distance>
+auto slip_cubic(const Distance& eta) {
+  return eta * (3 + (12 - 4 * eta) * eta) / 22;
+}
+
+/// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
+struct SlipPoint {
+  SlipPoint(double left, double right)
+      : y((left - right) / 2),
+        u(slip_cubic(left)),
+        v(slip_cubic(right)),
+        du((3 + 12 * left * right) / 22) {}
+  double y, u, v, du;  // du: the derivative of u by y
+  double t() const { return u * u * (1 + 2 * v); }
+  double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
+};
+
+/// t(b) - t(a) for b.y - a.y = step, without subtracting what is nearly equal.
+inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
+  const double du = step * (15 - 4 * (a.y * a.y + a.y * b.y + b.y * b.y)) / 22;
+  const bool left = a.u + b.u < 1;
+  const double x = left ? a.u : a.v, z = left ? b.u : b.v;
+  return du * (3 * (x + z) - 2 * (x * x + x * z + z * z));
+}
+
+/// The distance 1 + y at which t is the given share, in [0, 1/2].
+double distance_of_share(double t);
+
+/// The nodes of both zones, n on the slip zone and m on the stick zone.
+struct Nodes {
+  ZoneLengths zones;
+  Eigen::ArrayXd y, t, s, sigma;  // slip zone (n); sigma = 1 + s
+  Eigen::ArrayXd d, r;            // stick zone (m): distances from the border and positions
+  Eigen::ArrayXd over_w;          // weights of dr / w at the stick nodes
+  Eigen::VectorXd over_root;  // weights of dt / sqrt(1 - t^2) at all n + m, the slip nodes first
+  Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
+};
+
+/// The ten Legendre coefficients of Carter's h.
+Eigen::VectorXd carter_h(const ZoneLengths& at, double friction);
+
+/// The nodes of both zones of these lengths.
+Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick);
+
+}  // namespace thermoroll

@@ -1,0 +1,54 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#include "solver/thermal_terms.hpp"
+
+#include <vector>
+
+#include "solver/graded_rule.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+
+ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
+                           const GaussLegendre& rule) {
+  const Index n = z.y.size(), m = z.d.size();
+  const double slip = z.zones.slip, peclet = scene.peclet * slip;
+  const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
+  ThermalTerms x{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
+  GradedRule graded;
+  KernelWeights weights;
+  Sums sums(5, terms);
+  MatrixXd by_dh(n, terms);
+  RowVectorXd mirror = RowVectorXd::Ones(terms);
+  for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
+  for (Index i = 0; i < n; ++i) {
+    grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
+    kernel_weights(graded, weights);
+    legendre_sums(graded.y, weights, sums);
+    x.f.row(i) = sums.row(0), x.df.row(i) = sums.row(1), by_dh.row(i) = sums.row(2);
+    x.g.row(i) += sums.row(3), x.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
+  }
+  x.df += by_derivatives(by_dh);
+  const ArrayXd gap = z.d / slip;
+  grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
+  MatrixXd n1(m, graded.y.size()), n2 = n1;
+  const ArrayXd further = peclet * (gap - gap.minCoeff());
+  for (Index i = 0; i < graded.y.size(); ++i) {
+    const std::vector<Kernels> k = at_distances(graded.zeta(i) + further);
+    for (Index j = 0; j < m; ++j) {
+      const Kernels& at = k[static_cast<std::size_t>(j)];
+      n1(j, i) = at.n1, n2(j, i) = at.n2_up;
+    }
+  }
+  const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
+  x.f.bottomRows(m).noalias() = n1 * heat, x.g.bottomRows(m).noalias() = n2 * heat;
+  const double strength = scene.friction * scene.peclet * scene.heating * slip;
+  x.g = strength * slip * (x.g / pi + in_n * x.f);
+  x.f *= -sign * strength * slip, x.df *= -sign * strength;
+  return x;
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,23 @@
+// Tangled from paper/10-coupled-problem.md; edit there.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solver/nodes.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// F, dF/ds and G of @eq:thermal-sides at the slip nodes, then (but for dF/ds) the stick nodes, as
+/// matrices on the Legendre coefficients of h.
+struct ThermalTerms {
+  Eigen::MatrixXd f, df, g;
+};
+
+/// These matrices on the nodes of a grid, for an h of so many terms, by graded rules of a multiple
+/// of four nodes.
+ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z,
+                           Eigen::Index terms, const GaussLegendre& rule);
+
+}  // namespace thermoroll
