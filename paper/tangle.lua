@@ -2,7 +2,8 @@
 --
 --   pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null paper/*.md
 --
--- A chunk is a fenced block with a name, a file, or both; blocks of one name append in order:
+-- A chunk is a fenced block with a name, a file, or both; blocks of one name append in order, with an
+-- empty line between them:
 --
 --   ``` {.cpp #name title="A sentence"}          ``` {.cpp file=src/x.cpp}
 --
@@ -125,7 +126,8 @@ function tangle.reference(line) return line:match("^(%s*)" .. name_pattern .. "%
 local function expand(id, indent, out, state)
   table.insert(state.chain, id)
   state.used[id] = true
-  for _, piece in ipairs(state.chunks[id]) do
+  for part, piece in ipairs(state.chunks[id]) do
+    if part > 1 then table.insert(out, "") end
     state.from[piece.source] = true
     local fresh = true -- the next line needs a #line of its own
     for k, line in ipairs(piece.code) do

@@ -453,6 +453,27 @@ local pieces = pandoc.List() -- what the tangler sees, in order
 local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 
+--- ⟨Title 12⟩: a chunk's or a piece's title and number.
+local function titled(title, number)
+  return string.format('⟨%s <span class="chunk-number">%s</span>⟩', title, number)
+end
+
+--- The title of a chunk is that of its piece. A chunk that grew from pieces with titles of their own is
+--- called by its name, and they by its number and their own.
+local function name_chunk(chunk)
+  local titles = pandoc.List(chunk.pieces):filter(function(piece) return piece.title end)
+  local grown = #titles > 1
+  chunk.title = not grown and titles[1] and titles[1].title or nil
+  local plain = grown and chunk.name:gsub("-", " ") or chunk.name
+  local title = chunk.title and html_of(inlines_of(chunk.title)) or escape(plain)
+  chunk.html = titled(title, chunk.number)
+  for part, piece in ipairs(chunk.pieces) do
+    local own = grown and piece.title
+    piece.head = own and titled(html_of(inlines_of(own)), chunk.number .. "." .. part) or chunk.html
+    piece.grows = grown
+  end
+end
+
 local function collect_chunks()
   for _, chapter in ipairs(chapters) do
     pieces:extend(tangle.parse(chapter.name, chapter.text))
@@ -465,7 +486,6 @@ local function collect_chunks()
                 pieces = collected[piece.id], users = {} }
       chunks[piece.id] = chunk
     end
-    chunk.title = chunk.title or piece.title
     chunk.file = chunk.file or piece.file
   end
   for _, chunk in pairs(chunks) do
@@ -483,8 +503,7 @@ local function collect_chunks()
   end
   stop_on_mistakes()
   for _, chunk in pairs(chunks) do
-    local title = chunk.title and html_of(inlines_of(chunk.title)) or escape(chunk.name)
-    chunk.html = string.format('⟨%s <span class="chunk-number">%s</span>⟩', title, chunk.number)
+    name_chunk(chunk)
     labels["lst:" .. chunk.name].html = chunk.html
   end
 end
@@ -550,8 +569,8 @@ end
 local function joined(pieces_using)
   local seen, out = {}, {}
   for _, piece in ipairs(pieces_using) do
-    if not seen[piece.id] then table.insert(out, link(anchor(piece), chunks[piece.id].html)) end
-    seen[piece.id] = true
+    if not seen[piece.head] then table.insert(out, link(anchor(piece), piece.head)) end
+    seen[piece.head] = true
   end
   return table.concat(out, ", ")
 end
@@ -570,13 +589,14 @@ local function chunk_box(piece)
       local html = ' <a href="#%s" aria-label="%s">%s</a>'
       return other and html:format(anchor(other), label, sign) or ""
     end
-    parts = string.format('<span class="part">part %d of %d%s%s</span>', piece.part, #chunk.pieces,
+    parts = string.format('<span class="part">%spart %d of %d%s%s</span>',
+      piece.grows and chunk.html .. " += " or "", piece.part, #chunk.pieces,
       step(chunk.pieces[piece.part - 1], "↑", "previous part"),
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
   return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), chunk.html, parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), piece.head, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -637,7 +657,8 @@ local function chunk_index()
   local out = { '<ul class="index">' }
   for _, chunk in ipairs(sorted(chunks, title)) do
     local places = pandoc.List(chunk.pieces):map(function(piece)
-      return link(anchor(piece), where(piece))
+      local head = piece.grows and piece.head .. " " or ""
+      return link(anchor(piece), head .. where(piece))
     end)
     table.insert(out, string.format("<li>%s<div><code>%s</code> · defined at %s%s%s</div></li>",
       link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name), table.concat(places, ", "),

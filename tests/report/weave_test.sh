@@ -371,9 +371,37 @@ See @lst:part.
 END
   expect '⟨A part of x 2⟩part 1 of 2 ↓' '⟨A part of x 2⟩part 2 of 2 ↑' 'used in ⟨The file 1⟩' \
     'file src/a.cpp · defined at one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
-    'src/a.cpp 3 lines from one.md'
+    'src/a.cpp 4 lines from one.md'
   expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
     '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
+}
+
+# A chunk that grows from pieces with titles of their own is called by its name.
+GrowingChunksAreLinked() {
+  chapter <<'END'
+``` {.cpp file=src/a.cpp title="The file"}
+<<some-data>>
+```
+
+``` {.cpp #some-data title="First data"}
+int b;
+<<inner>>
+```
+
+``` {.cpp #some-data title="More of $x$"}
+int c;
+```
+
+``` {.cpp #inner title="Inner"}
+int d;
+```
+
+See @lst:some-data.
+END
+  expect '⟨First data 2.1⟩⟨some data 2⟩ += part 1 of 2 ↓' '⟨More of x 2.2⟩⟨some data 2⟩ += part 2 of 2 ↑' \
+    'used in ⟨First data 2.1⟩' 'See ⟨some data 2⟩.' '⟨First data 2.1⟩ one.md:10, ⟨More of x 2.2⟩ one.md:15' \
+    'src/a.cpp 4 lines from one.md'
+  expect_html 'id="lst:some-data:2"'
 }
 
 WovenTwiceAlike() {

@@ -206,7 +206,9 @@ END
   tangle one.md two.md
   expect_file src/a.cpp <<'END'
 int first;
+
 int second;
+
 int third;
 int last;
 END
