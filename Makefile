@@ -305,7 +305,7 @@ tsan: | build
 	$(call configure,tsan)
 	@$(compile) build/tsan --target thermoroll-cli
 	@for case in SameBytesWithAnyNumberOfJobs BadRowsGiveTheirError ClosedPipe InterruptedLeavesWholeRows; do \
-	  bash tests/command_line/sweep_test.sh $$case build/tsan/thermoroll || exit 1; echo "$$case: no race"; done
+	  bash tests/program/sweep_test.sh $$case build/tsan/thermoroll || exit 1; echo "$$case: no race"; done
 
 ## valgrind: solves and a sweep under memcheck
 valgrind: build/thermoroll

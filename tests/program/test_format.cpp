@@ -1,5 +1,5 @@
 // What is printed of a solution, against the solution itself.
-#include "program/output.hpp"
+#include "program/format.hpp"
 
 #include <cmath>
 #include <limits>
