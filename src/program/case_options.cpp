@@ -46,16 +46,21 @@ constexpr CaseOption given_options[] = {
     {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
      &CaseOptions::border}};
 
+void declare(CLI::App& command, CaseOptions& o, const CaseOption& option, const char* group) {
+  command.add_option(option.name, o.*option.value, option.meaning)
+      ->type_name(option.unit)
+      ->check(finite_number(option.name + 2))
+      ->group(group);
+}
+
 void add_approach(CLI::App& command, CaseOptions& o) {
   const auto methods = words(method_names), formulations = words(formulation_names);
   command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
       ->type_name(joined(methods, "|"))
       ->check(one_of("method", methods))
       ->group("Method");
-  command.add_option("--tolerance", o.tolerance, "1e-11 to 1e-2; 1e-6 unless given")
-      ->type_name("NUMBER")
-      ->check(finite_number("tolerance"))
-      ->group("Method");
+  const char* range = "1e-11 to 1e-2; 1e-6 unless given";
+  declare(command, o, {"--tolerance", "NUMBER", range, &CaseOptions::tolerance}, "Method");
   command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
       ->type_name("NUMBER")
       ->check(whole_number("nodes"))
@@ -65,18 +70,6 @@ void add_approach(CLI::App& command, CaseOptions& o) {
       ->check(one_of("formulation", formulations))
       ->group("Method");
 }
-
-/// Declares options of a case one after the other.
-struct Declare {
-  CLI::App& command;
-  CaseOptions& o;
-  void operator()(const CaseOption& option, const char* group) const {
-    command.add_option(option.name, o.*option.value, option.meaning)
-        ->type_name(option.unit)
-        ->check(finite_number(option.name + 2))
-        ->group(group);
-  }
-};
 
 Approach read_approach(const CaseOptions& o) {
   Approach a;
@@ -131,7 +124,9 @@ bool is_si_option(const std::string& name) {
 }
 
 void add_case_options(CLI::App& command, CaseOptions& o) {
-  const Declare add{command, o};
+  const auto add = [&](const CaseOption& option, const char* group) {
+    declare(command, o, option, group);
+  };
   command.add_option("--friction", o.friction, "friction coefficient f, positive")
       ->type_name("NUMBER")
       ->check(finite_number("friction"))
