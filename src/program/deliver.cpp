@@ -53,6 +53,7 @@ void write_aside(Written& x, const std::string& text) {
     return write(std::fopen(x.file.c_str(), "w"), text, x.file);
   if (!is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
   x.target = fs::weakly_canonical(x.file, problem).string();
+  if (problem) cannot_write(x.file, problem.value());
   std::FILE* file = create_beside(x);
   if (file != nullptr && !is_new) fs::permissions(x.aside, old.permissions(), problem);
   write(file, text, x.file);
