@@ -88,8 +88,8 @@ void name_curves() {
 void random_scenes_by(benchmark::State& state, bool ladder, double tolerance) {
   const std::vector<Sample> scenes = random_scenes(200);
   for (auto _ : state)
-    for (const auto& [scene, formulation] : scenes) try {
-        const Given given{traction, scene.traction};
+    for (const auto& [scene, pull, formulation] : scenes) try {
+        const Prescribed given{traction, pull};
         if (ladder) {
           benchmark::DoNotOptimize(least_model(scene, formulation, tolerance, given));
         } else {
@@ -113,7 +113,7 @@ void carters_problem(benchmark::State& state) {
   const double given = carter(0.3, 0.192).creep;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        solve_coupled({0.3, 0.192, 1, 0}, Formulation::corrected, 1e-6, {creep, given}));
+        solve_coupled({0.3, 1, 0}, Formulation::corrected, 1e-6, {creep, given}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/number_text.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
@@ -13,7 +14,9 @@ double hertz_pressure(double s) {
 }
 
 Carter carter(double friction, double traction) {
-  check(Scene{friction, traction, 1, 0});  // the closed form needs neither Pe nor H
+  require(friction > 0, "friction", friction, "positive");
+  require(traction > 0 && traction < friction, "traction", traction,
+          "above 0 and below the friction, " + shortest(friction));
   const double b = std::sqrt((friction - traction) / friction);
   const double slip_half_width = traction / friction / (1 + b);  // 1 - b
   return {friction, b, slip_half_width, 2 * b - 1, 2 * friction / pi * slip_half_width};

@@ -8,11 +8,11 @@
 
 namespace thermoroll {
 
-Scene scene_of(const PhysicalCase& c, double friction, double traction) {
+Scene scene_of(const PhysicalCase& c, double friction) {
   const double peclet = c.speed * c.half_width / (2 * c.diffusivity);
   const double heating =
       2 * c.expansion * (1 + c.poisson) * c.diffusivity * c.load / (c.half_width * c.conductivity);
-  return {friction, traction, peclet, heating};
+  return {friction, peclet, heating};
 }
 
 Units units_of(const PhysicalCase& c, double friction) {
@@ -38,21 +38,23 @@ void require(bool allowed, const std::string& name, double value, const std::str
 
 void check(const Scene& scene) {
   require(scene.friction > 0, "friction", scene.friction, "positive");
-  require(scene.traction > 0 && scene.traction < scene.friction, "traction", scene.traction,
-          "above 0 and below the friction, " + shortest(scene.friction));
   require(scene.peclet > 0, "peclet", scene.peclet, "positive");
   require(scene.heating >= 0, "heating", scene.heating, "zero or positive");
 }
 
-void check(const PhysicalCase& c) {
+void check_but_half_width(const PhysicalCase& c) {
   require(c.load > 0, "load", c.load, "positive");
   require(c.speed > 0, "speed", c.speed, "positive");
-  require(c.half_width > 0, "half-width", c.half_width, "positive");
   require(c.shear_modulus > 0, "shear-modulus", c.shear_modulus, "positive");
   require(c.poisson >= 0 && c.poisson < 0.5, "poisson", c.poisson, "at least 0 and below 0.5");
   require(c.expansion >= 0, "expansion", c.expansion, "zero or positive");
   require(c.diffusivity > 0, "diffusivity", c.diffusivity, "positive");
   require(c.conductivity > 0, "conductivity", c.conductivity, "positive");
+}
+
+void check(const PhysicalCase& c) {
+  check_but_half_width(c);
+  require(c.half_width > 0, "half-width", c.half_width, "positive");
 }
 
 }  // namespace thermoroll

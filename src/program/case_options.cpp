@@ -80,12 +80,12 @@ Approach read_approach(const CaseOptions& o) {
   return a;
 }
 
-Given read_given(const CaseOptions& o) {
+Prescribed read_given(const CaseOptions& o) {
   if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
     throw std::invalid_argument(
         "exactly one of --traction, --creep and --stick-slip-border is needed");
   if (o.traction) return {traction, *o.traction};
-  return o.creep ? Given{creep, *o.creep} : Given{border, *o.border};
+  return o.creep ? Prescribed{creep, *o.creep} : Prescribed{border, *o.border};
 }
 
 /// A validator for the option of this name, with this condition and description of what is allowed.
@@ -147,10 +147,10 @@ Case read_case(const CaseOptions& o) {
   for (const CaseOption& option : size_options)
     if (o.*option.value) given += std::string(" ") + option.name;
   const Approach approach = read_approach(o);
-  const Given x = read_given(o);
+  const Prescribed x = read_given(o);
   if (given.empty()) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
-    return {{o.friction, x.value, *o.peclet, o.heating.value_or(0)}, x, approach, {}, {}};
+    return {{o.friction, *o.peclet, o.heating.value_or(0)}, x, approach, {}, {}};
   }
   if (o.peclet || o.heating)
     throw std::invalid_argument("--peclet and --heating exclude data in SI units; given:" + given);
@@ -159,7 +159,7 @@ Case read_case(const CaseOptions& o) {
     throw std::invalid_argument("data in SI units need either --half-width or --radius");
   const PhysicalCase c{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
                        *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
-  return {{o.friction, x.value, 0, 0}, x, approach, c, o.radius};
+  return {{o.friction, 0, 0}, x, approach, c, o.radius};
 }
 
 SolvedCase solve_case(const Case& c) {
@@ -170,9 +170,9 @@ SolvedCase solve_case(const Case& c) {
         half_width_of_radius(*physical, *c.radius, scene.friction, c.given, c.approach);
   if (physical) {
     check(*physical);
-    scene = scene_of(*physical, scene.friction, c.given.value);
+    scene = scene_of(*physical, scene.friction);
   }
-  const Solution x = solve(scene, c.approach, c.given);
+  const Solution x = solve(scene, c.given, c.approach);
   if (!physical) return {x, {}, {}};
   return {x, units_of(*physical, scene.friction), in_si_units(x, *physical, c.radius.has_value())};
 }

@@ -39,7 +39,7 @@ bool is_si_option(const std::string& name);
 /// not where there is a radius. Its traction counts only if that is given.
 struct Case {
   Scene scene;
-  Given given;
+  Prescribed given;
   Approach approach;
   std::optional<PhysicalCase> physical;
   Maybe radius;

@@ -62,7 +62,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["reason"] = scheme ? json() : json(x.reason);
   o["formulation"] = name_of(formulation_names, x.approach.formulation);
   o["friction"] = x.scene.friction;
-  o["traction"] = x.scene.traction;
+  o["traction"] = x.value.traction;
   o["peclet"] = x.scene.peclet;
   o["heating"] = x.scene.heating;
   o["nodes"] = scheme ? json(x.approach.nodes) : json();

@@ -45,9 +45,10 @@ inline const Rule& taken_by(int group, int n) {
 /// By how many decades the speed lambda of a slip zone exceeds 1e4.
 inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(lambda) - 4); }
 
-/// By how many decades the slip zone is shorter than a hundredth of the stick zone.
+/// By how many decades the slip zone is shorter than a hundredth of the stick zone; at most 20, as
+/// the quotient of a length next to zero is infinite.
 inline double decades_shorter(const Border& at) {
-  return std::max(0.0, std::log10(at.stick / at.slip) - 2);
+  return std::clamp(std::log10(at.stick / at.slip) - 2, 0.0, 20.0);
 }
 
 /// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids
@@ -120,8 +121,7 @@ struct ThermalSides {
   Eigen::MatrixXd f, df, g;
 };
 
-/// These matrices on a grid, for an h of so many terms, by rays of a multiple of four nodes; the
-/// traction of the scene is not used.
+/// These matrices on a grid, for an h of so many terms, by rays of a multiple of four nodes.
 ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
                            Eigen::Index terms, const Rule& rule);
 

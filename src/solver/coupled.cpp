@@ -111,7 +111,7 @@ Border moved_by(const Border& x, double step) {
 }
 
 /// What a solution misses of what is given; a border is measured from the nearer end.
-double missing(const Level& x, const Given& given) {
+double missing(const Level& x, const Prescribed& given) {
   if (given.quantity != border) return given.value - x.value(given.quantity);
   return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
 }
@@ -119,7 +119,7 @@ double missing(const Level& x, const Given& given) {
 /// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
 /// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
 /// no solution is found.
-Level find_border(const Scene& scene, Formulation formulation, int n, const Given& given,
+Level find_border(const Scene& scene, Formulation formulation, int n, const Prescribed& given,
                   Level level, Values& slope) {
   Border at = level.at;
   for (int k = 0, failed = 0; k < 30; ++k) {
@@ -228,7 +228,7 @@ Values carter_slope(const Carter& c, Quantity by) {
   return change / change(by);
 }
 
-double rounding(const Given& given, const Values& slope, const Values& scale) {
+double rounding(const Prescribed& given, const Values& slope, const Values& scale) {
   if (given.quantity == border) return 0;  // both lengths are exact
   return 1e-15 * (given.value * slope / scale).head(hottest + 1).abs().maxCoeff();
 }
@@ -242,22 +242,27 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) 
   return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
 }
 
-void check_given(Scene scene, const Given& given) {
-  const std::string no_braking = " (braking is not modelled)";
+void check(double friction, const Prescribed& given) {
+  const std::string no_braking = " (braking is not modelled)",
+                    below = "above 0 and below the friction";
   const double x = given.value;
-  const bool by_traction = given.quantity == traction;
-  scene.traction = by_traction && x > 0 ? x : scene.friction / 2;  // the latter passes the check
-  check(scene);
-  require(by_traction || given.quantity == creep || given.quantity == border, "given quantity",
-          given.quantity, "traction, creep or border");
-  if (by_traction) require(x > 0, "traction", x, "above 0 and below the friction" + no_braking);
-  if (given.quantity == creep) require(x > 0, "creep", x, "positive" + no_braking);
-  if (given.quantity == border)
-    require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
+  const Quantity q = given.quantity;
+  require(friction > 0, "friction", friction, "positive");
+  require(q == traction || q == creep || q == border, "given quantity", q,
+          "traction, creep or border");
+  if (q == traction) require(x > 0, "traction", x, below + no_braking);
+  if (q == traction) require(x < friction, "traction", x, below + ", " + shortest(friction));
+  if (q == creep) require(x > 0, "creep", x, "positive" + no_braking);
+  if (q == border) require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
 }
 
-Carter carter_given(double friction, const Given& given) {
-  check_given({friction, friction / 2, 1, 0}, given);
+void check(const Scene& scene, const Prescribed& given) {
+  check(scene);
+  check(scene.friction, given);
+}
+
+Carter carter_given(double friction, const Prescribed& given) {
+  check(friction, given);
   if (given.quantity == traction) return carter(friction, given.value);
   const bool by_border = given.quantity == border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
@@ -267,12 +272,12 @@ Carter carter_given(double friction, const Given& given) {
 }
 
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
-                              const Given& given) {
-  check_given(scene, given);
+                              const Prescribed& given) {
+  check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
-  Given near = given;  // a creep beyond Carter's starts close to full slip
+  Prescribed near = given;  // a creep beyond Carter's starts close to full slip
   if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
   const Carter cold = carter_given(scene.friction, near);
   Values slope = carter_slope(cold, given.quantity);

@@ -55,7 +55,7 @@ Summit hottest_of_carter(const Border& at, double friction, double peclet, doubl
   return climb(at.slip, peclet, carter_h(at, friction), fast, rays_for(tolerance, lambda));
 }
 
-bool sticks_without_heat(double friction, const Given& given) {
+bool sticks_without_heat(double friction, const Prescribed& given) {
   const double x = given.value, in_creep = given.quantity == creep ? pi / 2 : 1;
   return given.quantity == border || (0 < x && in_creep * x < friction);
 }
@@ -69,7 +69,8 @@ struct Correction {
   std::vector<Violation> violations;  // at the old border
 };
 
-Correction correct(const Scene& scene, Formulation formulation, const Given& given, int least) {
+Correction correct(const Scene& scene, Formulation formulation, const Prescribed& given,
+                   int least) {
   const double f = scene.friction;
   const Carter cold = carter_given(f, given);
   const Border before = border_of(cold);
@@ -87,7 +88,7 @@ Correction correct(const Scene& scene, Formulation formulation, const Given& giv
   change(creep_constant) = load.constant - cold.creep;
   change(creep) = change(creep_constant) - f * load.gamma0;
   change(load_ratio) = load.kappa - 1, change(gamma0) = load.gamma0;
-  const Given without{given.quantity, given.value - change(given.quantity)};
+  const Prescribed without{given.quantity, given.value - change(given.quantity)};
   const bool near = sticks_without_heat(f, without);
   const Carter c = near ? carter_given(f, without) : cold;
   const double unit = 4 * f / (pi * pi);  // h = unit sigma without heat
@@ -112,7 +113,7 @@ double largest_change(const Correction& x) {
 }
 
 CoupledSolution rung(const VectorXd& h, const Values& value, const Carter& c, const Summit& top,
-                     double error, const Given& given) {
+                     double error, const Prescribed& given) {
   const Border at = border_of(c);
   CoupledSolution x;
   x.h = h, x.value = value, x.unknowns = static_cast<int>(h.size());
@@ -144,7 +145,7 @@ double largest_difference(const Values& x, const Values& exact) {
 }
 
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
-                            const Given& given) {
+                            const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
   const Border at = border_of(c);
   const Summit top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
@@ -155,7 +156,7 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
 }
 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
-                            const Given& given) {
+                            const Prescribed& given) {
   const Correction x = correct(scene, formulation, given, 16);
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const Border at = border_of(x.carter);
@@ -171,8 +172,8 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
 }
 
 Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
-                   const Given& given) {
-  check_given(scene, given);
+                   const Prescribed& given) {
+  check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const double guess = sticks_without_heat(scene.friction, given)
                            ? expected_change(scene, carter_given(scene.friction, given)) / 4

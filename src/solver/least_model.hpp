@@ -16,9 +16,9 @@ double expected_change(const Scene& scene, const Carter& c);
 /// are infinite where heat is too strong for one linear correction. The closed form's h has ten
 /// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
-                            const Given& given);
+                            const Prescribed& given);
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
-                            const Given& given);
+                            const Prescribed& given);
 
 /// The largest difference of any quantity but the place of the hottest point, in units of what its
 /// tolerance is relative to; dimensionless.
@@ -36,6 +36,6 @@ struct Choice {
 /// Solve by the least model whose estimated error meets the tolerance. Arguments, errors and
 /// refusals as for solve_coupled.
 Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
-                   const Given& given);
+                   const Prescribed& given);
 
 }  // namespace thermoroll

@@ -37,6 +37,7 @@ namespace {
 
 struct Problem {
   Scene scene;
+  double traction;
   Formulation formulation;
   MatrixXd cauchy;
   double coincident;  // what stands for N* at a coincident node
@@ -44,7 +45,7 @@ struct Problem {
 
 /// eps f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is not hot.
 MatrixXd slope_matrix(const Problem& problem, const PrintedSolution& x) {
-  const auto& [friction, traction, peclet, heating] = problem.scene;
+  const auto& [friction, peclet, heating] = problem.scene;
   const auto& [t, w, s] = x.grid;
   MatrixXd n1 = MatrixXd::Zero(s.size(), t.size());
   for (Index k = 0; k < t.size() && t(k) > x.c0; ++k)
@@ -55,7 +56,7 @@ MatrixXd slope_matrix(const Problem& problem, const PrintedSolution& x) {
 
 /// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
 double rigid_strain(const Problem& problem, const PrintedSolution& x, double s) {
-  const auto& [friction, traction, peclet, heating] = problem.scene;
+  const auto& [friction, peclet, heating] = problem.scene;
   const VectorXd heat = node_heat(x);
   double sum = 0;
   for (Index k = 0; k < heat.size() && x.grid.t(k) > x.c0; ++k) {
@@ -118,11 +119,11 @@ double interpolate(const Grid& g, const VectorXd& values, double at) {
 
 }  // namespace
 
-PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
+PrintedSolution solve_printed(const Scene& scene, double traction, Formulation formulation,
                               const PrintedOptions& options) {
-  PrintedSolution x = before_iterating(scene, options);
+  PrintedSolution x = before_iterating(scene, traction, options);
   const double self = -slope_sign(formulation) * scene.friction * options.heaviside_at_zero;
-  const Problem problem{scene, formulation, cauchy_matrix(x.grid), self};
+  const Problem problem{scene, traction, formulation, cauchy_matrix(x.grid), self};
   iterate(problem, x, options);
   return x;
 }

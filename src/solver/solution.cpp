@@ -17,7 +17,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-double& the_given_one(Results& x, const Given& given) {
+double& the_given_one(Results& x, const Prescribed& given) {
   if (given.quantity == creep) return x.creep;
   return given.quantity == border ? x.stick_slip_border : x.traction;
 }
@@ -32,7 +32,7 @@ std::string name_of(Model model) {
   return model == Model::first_order ? "first-order" : "coupled";
 }
 
-Choice choose(const Scene& scene, const Approach& a, const Given& given) {
+Choice choose(const Scene& scene, const Approach& a, const Prescribed& given) {
   const std::string asked = "asked for";
   if (a.method == Method::coupled)
     return {Model::coupled, asked, solve_coupled(scene, a.formulation, a.tolerance, given)};
@@ -41,7 +41,7 @@ Choice choose(const Scene& scene, const Approach& a, const Given& given) {
   return least_model(scene, a.formulation, a.tolerance, given);
 }
 
-Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& given) {
+Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const double tolerance = approach.tolerance;
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
   const auto [model, reason, x] = choose(scene, approach, given);
@@ -53,11 +53,10 @@ Solution solve_to_tolerance(Scene scene, const Approach& approach, const Given& 
   Results value = named(v, x.eccentricity), error = named(e, drift);
   the_given_one(value, given) = given.value;
   the_given_one(error, given) = 0;
-  scene.traction = value.traction;
   return {scene, approach, value, error, x, true, name_of(model), reason, x.violations};
 }
 
-Solution solve_closed_form(Scene scene, const Approach& approach, const Given& given) {
+Solution solve_closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
   const Peak top = hottest_point(smooth_flux(c), scene.peclet, 1e-9);
   const Estimate t = top.temperature;
@@ -68,17 +67,16 @@ Solution solve_closed_form(Scene scene, const Approach& approach, const Given& g
                 8 * epsilon * heat, t.error,     top.at_error};
   the_given_one(value, given) = given.value;
   the_given_one(error, given) = 0;
-  scene.traction = value.traction;
   return {scene, approach, value, error, c, true, name_of(Model::closed_form), "asked for"};
 }
 
-PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
+PrintedSolution run_scheme(const Scene& scene, double traction, const Approach& approach) {
   const int n = approach.nodes;
   require(3 <= n && n <= 5000, "nodes", n, "from 3 to 5000");
   PrintedOptions options;
   options.nodes = n;
   try {
-    return solve_printed(scene, approach.formulation, options);
+    return solve_printed(scene, traction, approach.formulation, options);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("gauss-chebyshev with " + std::to_string(n) + " nodes needs " +
                              fixed(4e-6 * n * n * sizeof(double), 0) +
@@ -86,12 +84,12 @@ PrintedSolution run_scheme(const Scene& scene, const Approach& approach) {
   }
 }
 
-Solution solve_gauss_chebyshev(const Scene& scene, const Approach& approach) {
-  const PrintedSolution x = run_scheme(scene, approach);
+Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approach& approach) {
+  const PrintedSolution x = run_scheme(scene, traction, approach);
   const PrintedPeak top = printed_max_temperature(x, scene.peclet);
   const double eccentricity = pi * x.gamma0 / (2 * x.load_ratio), heat = node_heat(x).sum();
-  const Results value{scene.traction, x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
-                      eccentricity,   heat, top.temperature,  top.at};
+  const Results value{traction,     x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
+                      eccentricity, heat, top.temperature,  top.at};
   Solution solution{scene, approach, value, std::nullopt, x, x.converged};
   solution.violations = violations(factors(x, scene.friction));
   return solution;
@@ -222,17 +220,13 @@ PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit
 
 }  // namespace
 
-Solution solve(const Scene& scene, const Approach& approach, const Given& given) {
-  check_given(scene, given);
+Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
+  check(scene, given);
   if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
   if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
   if (given.quantity != traction)
     throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
-  return solve_gauss_chebyshev(scene, approach);
-}
-
-Solution solve(const Scene& scene, const Approach& approach) {
-  return solve(scene, approach, {traction, scene.traction});
+  return solve_gauss_chebyshev(scene, given.value, approach);
 }
 
 Profile profile(const Solution& x) {
@@ -303,16 +297,15 @@ void require_contact(const Solution& x) {
                   " at s = " + shortest(first.from) + " to " + shortest(first.to));
 }
 
-double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
+double half_width_of_radius(PhysicalCase c, double radius, double friction, const Prescribed& given,
                             const Approach& approach) {
   require(radius > 0, "radius", radius, "positive");
-  c.half_width = radius;  // any positive length, for the check
-  check(c);
+  check_but_half_width(c);
   double kappa = 1;
   for (int step = 0; step < 50 && kappa > 0; ++step) {
     const double before = kappa;
     c.half_width = hertz_half_width(kappa * c.load, radius, c.shear_modulus, c.poisson);
-    const Solution x = solve(scene_of(c, friction, given.value), approach, given);
+    const Solution x = solve(scene_of(c, friction), given, approach);
     kappa = x.value.load_ratio;
     const double error = x.error ? x.error->load_ratio : 0;
     if (std::abs(kappa - before) <= 1e-9 * before + error) return c.half_width;

@@ -38,14 +38,14 @@ double hottest_when_slow(const HeatFlux& flux, double peclet) {
   return -cold(minimum(cold, 0.01 * length, 0.6 * length, 0.99 * length)) / pi;
 }
 
-double creep_of_little_traction(const Scene& scene) {
+double creep_of_little_traction(const Scene& scene, double traction) {
   const auto strain = [&](double u) {  // u = 1 - r
     return std::sqrt(u / (2 - u)) * kernel::N2(scene.peclet * u);
   };
   const double layer = std::min(1.0, 1 / scene.peclet);
   const double sum = integrate(strain, {0, layer, 2}).value;
-  const double change = scene.peclet * scene.heating * scene.traction / (pi * pi) * sum;
-  return carter(scene.friction, scene.traction).creep * (1 + change);
+  const double change = scene.peclet * scene.heating * traction / (pi * pi) * sum;
+  return carter(scene.friction, traction).creep * (1 + change);
 }
 
 }  // namespace thermoroll

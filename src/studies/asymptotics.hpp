@@ -11,6 +11,6 @@ double hottest_when_fast(const HeatFlux& flux);
 double hottest_when_slow(const HeatFlux& flux, double peclet);
 
 /// xi* by @eq:little-traction, for a traction much below the friction.
-double creep_of_little_traction(const Scene& scene);
+double creep_of_little_traction(const Scene& scene, double traction);
 
 }  // namespace thermoroll

@@ -73,6 +73,7 @@ KernelRow averaged(const Grid& g, double peclet, double s, Index count) {
 
 struct Kept {
   Scene scene;
+  double traction;
   Formulation formulation;
   KernelRow (*row)(const Grid&, double peclet, double s, Index count);
   MatrixXd normal;                      // of the normal system without heat
@@ -84,12 +85,13 @@ struct Kept {
 
 /// f Pe H N from each of the first nodes at the point s, @eq:N.
 ArrayXd strain_row(const Kept& kept, const Grid& g, double s, Index count) {
-  const auto& [friction, traction, peclet, heating] = kept.scene;
+  const auto& [friction, peclet, heating] = kept.scene;
   const auto [n1, n2] = kept.row(g, peclet, s, count);
   return friction * peclet * heating * (n2 / pi - slope_sign(kept.formulation) * friction * n1);
 }
 
-Kept keep(const Scene& scene, Formulation formulation, NodeKernel kernel, const Grid& g) {
+Kept keep(const Scene& scene, double traction, Formulation formulation, NodeKernel kernel,
+          const Grid& g) {
   const Index n = g.t.size();
   const double strength = slope_sign(formulation) * scene.friction * scene.peclet * scene.heating;
   MatrixXd normal(n + 2, n + 2), stick(n + 1, n + 1);
@@ -97,7 +99,7 @@ Kept keep(const Scene& scene, Formulation formulation, NodeKernel kernel, const 
   stick << cauchy_matrix(g), VectorXd::Constant(n + 1, -1);
   const auto row = kernel == NodeKernel::sample ? sampled : averaged;
   MatrixXd slope(n + 1, n), strain(n, n);
-  Kept kept{scene, formulation, row, normal, slope, strain, stick.partialPivLu(), {}};
+  Kept kept{scene, traction, formulation, row, normal, slope, strain, stick.partialPivLu(), {}};
   for (Index m = 0; m <= n; ++m)
     kept.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
   for (Index j = 0; j < n; ++j) kept.strain.row(j) = strain_row(kept, g, g.t(j), n).transpose();
@@ -148,11 +150,11 @@ VectorXd slip_velocity(const Kept& kept, const PrintedSolution& x) {
 
 }  // namespace
 
-PrintedSolution solve_thrifty(const Scene& scene, Formulation formulation, NodeKernel kernel,
-                              const PrintedOptions& options) {
+PrintedSolution solve_thrifty(const Scene& scene, double traction, Formulation formulation,
+                              NodeKernel kernel, const PrintedOptions& options) {
   require(options.heaviside_at_zero == 0, "heaviside_at_zero", options.heaviside_at_zero, "zero");
-  PrintedSolution x = before_iterating(scene, options);
-  Kept kept = keep(scene, formulation, kernel, x.grid);
+  PrintedSolution x = before_iterating(scene, traction, options);
+  Kept kept = keep(scene, traction, formulation, kernel, x.grid);
   iterate(kept, x, options);
   return x;
 }

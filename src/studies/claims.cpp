@@ -70,7 +70,7 @@ std::vector<Case> sixteen_cases() {
     for (const double pe : paper::peclets) {
       const CoupledSolution x = paper::coupled(q, pe);
       cases.push_back({q, pe, paper::scheme(q, pe, {50, 1e-3}), paper::scheme(q, pe, {200, 1e-3}),
-                       x, profile(paper::scene(q, pe), paper::formulation, x)});
+                       x, profile(paper::scene(pe), paper::formulation, x)});
     }
   return cases;
 }
@@ -98,7 +98,7 @@ bool rises(const std::vector<Case>& cases, Maximum of) {
 }
 
 Claims on_the_data() {
-  const Scene steel = scene_of(wheel_on_rail(), paper::friction, 0.5);
+  const Scene steel = scene_of(wheel_on_rail(), paper::friction);
   return {{"thermomechanical ratio H of the wheel on the rail", "0.02", "–",
            fixed(steel.heating, 4), verdict_on("0.02", steel.heating)},
           {"Péclet number of the wheel on the rail", "4360", "–", fixed(steel.peclet, 1),

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Formulation sign = Formulation::corrected;
+constexpr double pull = 0.5;  // Q*, in every regime
 
 Found found(const PrintedSolution& x, const PrintedPeak& top) {
   if (!x.converged) return {nan, nan, nan};
@@ -28,12 +29,12 @@ Found found(const PrintedSolution& x, const PrintedPeak& top) {
 }
 
 Found as_described(const Scene& scene, int nodes) {
-  const PrintedSolution x = solve_printed(scene, sign, {nodes});
+  const PrintedSolution x = solve_printed(scene, pull, sign, {nodes});
   return found(x, printed_max_temperature(x, scene.peclet));
 }
 
 Found thriftily(const Scene& scene, int nodes, NodeKernel kernel) {
-  const PrintedSolution x = solve_thrifty(scene, sign, kernel, {nodes});
+  const PrintedSolution x = solve_thrifty(scene, pull, sign, kernel, {nodes});
   return found(x, thrifty_max_temperature(x, scene.peclet, kernel));
 }
 
@@ -42,21 +43,19 @@ Found found(const CoupledSolution& x) {
 }
 
 Found coupled_to(const Scene& scene, double tolerance) try {
-  return found(solve_coupled(scene, sign, tolerance, {traction, scene.traction}));
+  return found(solve_coupled(scene, sign, tolerance, {traction, pull}));
 } catch (const std::runtime_error&) {  // not resolved
   return {nan, nan, nan};
 }
 
 Found corrected_once(const Scene& scene) {
-  return found(first_order(scene, sign, 1e-6, {traction, scene.traction}));
+  return found(first_order(scene, sign, 1e-6, {traction, pull}));
 }
 
-Found without_heat(const Scene& scene) {
-  return {1, nan, carter(scene.friction, scene.traction).creep};
-}
+Found without_heat(const Scene& scene) { return {1, nan, carter(scene.friction, pull).creep}; }
 
 Found temperature_without_heat(const Scene& scene) {
-  const SmoothFlux flux = smooth_flux(carter(scene.friction, scene.traction));
+  const SmoothFlux flux = smooth_flux(carter(scene.friction, pull));
   return {nan, hottest_point(flux, scene.peclet, 1e-9).temperature.value, nan};
 }
 
@@ -72,7 +71,7 @@ Run coupled_run(const Scene& scene, double tolerance) {
 }  // namespace
 
 std::vector<Run> runs(const Regime& regime) {
-  const Scene scene{paper::friction, 0.5, regime.peclet, regime.heating};
+  const Scene scene{paper::friction, regime.peclet, regime.heating};
   const std::string at = where(scene);
   std::vector<Run> all{
       {"closed_form", 0, "closed_form", [=] { return without_heat(scene); }},
@@ -99,7 +98,7 @@ std::vector<std::pair<Scene, Run>> cost_runs() {
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       for (int decade = -1; decade <= 6; ++decade) {
         const double peclet = std::pow(10, decade);
-        const Scene scene{paper::friction, 0.5, peclet, heating};
+        const Scene scene{paper::friction, peclet, heating};
         all.emplace_back(scene, coupled_run(scene, tolerance));
       }
   return all;
@@ -113,19 +112,20 @@ std::vector<Sample> random_scenes(int count) {
   std::vector<Sample> scenes;
   for (int i = 0; i < count; ++i) {
     const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
-    const Scene scene{f, f * share, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
-    scenes.push_back({scene, random() % 2 ? Formulation::printed : Formulation::corrected});
+    const Scene scene{f, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+    scenes.push_back(
+        {scene, f * share, random() % 2 ? Formulation::printed : Formulation::corrected});
   }
   return scenes;
 }
 
 Found reference(const Regime& regime) {
-  return coupled_run({paper::friction, 0.5, regime.peclet, regime.heating}, 1e-11).find();
+  return coupled_run({paper::friction, regime.peclet, regime.heating}, 1e-11).find();
 }
 
 CarterErrors carter_errors() {
   const Carter exact = carter(0.3, 0.192);  // 1 - 0.6^2 = 0.64 of the friction
-  const Scene scene{0.3, 0.192, 1, 0};
+  const Scene scene{0.3, 1, 0};
   const CoupledSolution at_creep = solve_coupled(scene, sign, 1e-6, {creep, exact.creep});
   const CoupledSolution at_force = solve_coupled(scene, sign, 1e-6, {traction, 0.192});
   const Profile x = profile(scene, sign, at_creep);

@@ -43,6 +43,7 @@ std::vector<std::pair<Scene, Run>> cost_runs();
 /// A scene in either formulation.
 struct Sample {
   Scene scene;
+  double traction;
   Formulation formulation;
 };
 

@@ -78,7 +78,7 @@ void values_on_resolution(nlohmann::ordered_json& v) {
 }
 
 PrintedSolution cycling(int nodes) {
-  return solve_printed({paper::friction, 0.5, 100, 0.5}, Formulation::corrected, {nodes});
+  return solve_printed({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
 }
 
 void cycle(std::ostream& out) {
@@ -113,8 +113,8 @@ enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
 
 constexpr PrintedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
 
-SchemeEnd end_of_scheme(const Scene& scene, Formulation formulation) {
-  const PrintedSolution x = solve_printed(scene, formulation, few_nodes);
+SchemeEnd end_of_scheme(const Scene& scene, double traction, Formulation formulation) {
+  const PrintedSolution x = solve_printed(scene, traction, formulation, few_nodes);
   if (violations(factors(x, scene.friction)).empty())
     return x.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
   return x.converged ? SchemeEnd::wrong : SchemeEnd::lost;
@@ -125,12 +125,12 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
   for (Sample x : random_scenes(count)) {
     x.scene.heating *= 10;
-    const Given given{traction, x.scene.traction};
+    const Prescribed given{traction, x.traction};
     const Outcome found =
         outcome([&] { return solve_coupled(x.scene, x.formulation, 1e-3, given); });
     refused += found == Outcome::refused ? 1 : 0;
     wrong += found == Outcome::no_contact ? 1 : 0;
-    const SchemeEnd end = end_of_scheme(x.scene, x.formulation);
+    const SchemeEnd end = end_of_scheme(x.scene, x.traction, x.formulation);
     unsettled += end == SchemeEnd::unsettled || end == SchemeEnd::lost ? 1 : 0;
     scheme_wrong += end == SchemeEnd::lost || end == SchemeEnd::wrong ? 1 : 0;
   }
@@ -148,8 +148,8 @@ std::array<int, 3> survivors(Formulation formulation, double heating) {
   for (int decade = -3; decade <= 8; ++decade)
     for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
       const double f = paper::friction;
-      const Scene scene{f, 0, std::pow(10, decade), heating};
-      const Given given{traction, f * share};
+      const Scene scene{f, std::pow(10, decade), heating};
+      const Prescribed given{traction, f * share};
       const Outcome found = outcome([&] { return solve_coupled(scene, formulation, 1e-3, given); });
       ++count[static_cast<std::size_t>(found)];
     }
@@ -174,7 +174,7 @@ void ends(std::ostream& out) {
   const double fast = hottest_when_fast(flux);
   for (const double speed : grid(-3, 8, 33)) {
     const double peclet = std::pow(10, speed);
-    const Scene scene{paper::friction, 0, peclet, 0};
+    const Scene scene{paper::friction, peclet, 0};
     const double top =
         solve_coupled(scene, Formulation::corrected, 1e-9, {traction, 0.5}).value(hottest);
     row(out, peclet, std::abs(fast / std::sqrt(peclet) / top - 1),
@@ -203,7 +203,7 @@ void iteration_steps(std::ostream& out) {
   for (const double peclet : {1.0, 100.0, paper::peclet})
     for (const double f_h : {0.01, 0.3, 1.0, 3.0, 10.0}) {
       const double heating = f_h / paper::friction, c0 = paper::closed_form(0.5).c0;
-      const Scene scene{paper::friction, 0, peclet, 1};
+      const Scene scene{paper::friction, peclet, 1};
       const FluxMap unit = flux_map(scene, Formulation::corrected, 128, c0);
       const FluxMap map = heated(unit, heating);
       Eigen::VectorXd h = carter_start(map), x = h;
@@ -234,7 +234,7 @@ struct Way {
 
 Way way_at(double peclet, Formulation formulation, int unknowns) {
   const double c0 = paper::closed_form(0.5).c0;
-  return {flux_map({paper::friction, 0, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
+  return {flux_map({paper::friction, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
 }
 
 void iteration(std::ostream& out, Formulation formulation) {
@@ -248,8 +248,8 @@ void iteration(std::ostream& out, Formulation formulation) {
       double full = 0, half = 0;
       if (paper::friction * heating <= most) {
         method = 6;  // not reached
-        const Scene scene{paper::friction, 0.5, peclet, heating};
-        scheme = static_cast<int>(end_of_scheme(scene, formulation));
+        const Scene scene{paper::friction, peclet, heating};
+        scheme = static_cast<int>(end_of_scheme(scene, 0.5, formulation));
         if (way.leads_to(heating)) {
           const FluxMap map = heated(way.unit, heating);
           method = first_to_converge(map, way.h);

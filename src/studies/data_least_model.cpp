@@ -22,8 +22,8 @@ double most_heating(const Rung& rung, double peclet, double tolerance) {
   double low = 1e-9, high = 1e3;
   while (high > 1.01 * low) {
     const double middle = std::sqrt(low * high);
-    const Scene scene{paper::friction, 0.5, peclet, middle};
-    const auto x = rung(scene, Formulation::corrected, tolerance, Given{traction, 0.5});
+    const Scene scene{paper::friction, peclet, middle};
+    const auto x = rung(scene, Formulation::corrected, tolerance, Prescribed{traction, 0.5});
     (x.error(load_ratio) <= tolerance ? low : high) = middle;
   }
   return low;
@@ -50,7 +50,7 @@ struct Trial {
 };
 
 Trial try_ladder(const Sample& x, double tolerance) {
-  const Given given{traction, x.scene.traction};
+  const Prescribed given{traction, x.traction};
   try {
     const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
     const CoupledSolution better = solve_coupled(x.scene, x.formulation, tolerance / 10, given);
@@ -100,8 +100,8 @@ const FigureData random_scenes_data{"random-scenes", rungs_of_random_scenes};
 }  // namespace
 
 void values_on_least_model(nlohmann::ordered_json& v) {
-  const Scene scene{paper::friction, 0.5, paper::peclet, paper::heating};
-  const Given given{traction, 0.5};
+  const Scene scene{paper::friction, paper::peclet, paper::heating};
+  const Prescribed given{traction, 0.5};
   const auto model = [&](double tolerance) {
     const char* const names[] = {"closed form", "first order in the heat", "coupled"};
     const Choice x = least_model(scene, Formulation::corrected, tolerance, given);

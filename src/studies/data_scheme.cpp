@@ -12,8 +12,8 @@ void share_found(std::ostream& out) {
   for (const double pe : {100.0, paper::peclet}) {
     const CoupledSolution exact = paper::coupled(0.5, pe);
     for (const int n : {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}) {
-      const Scene scene = paper::scene(0.5, pe);
-      const auto x = solve_thrifty(scene, paper::formulation, NodeKernel::sample, {n});
+      const Scene scene = paper::scene(pe);
+      const auto x = solve_thrifty(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
       const double top = thrifty_max_temperature(x, pe, NodeKernel::sample).temperature;
       row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(load_ratio)),
           top / exact.value(hottest));

@@ -25,7 +25,7 @@ void values_of_steel(nlohmann::ordered_json& v) {
   v["steel_diffusivity"] = scientific(steel.diffusivity, 2);
   v["steel_conductivity"] = shortest(steel.conductivity);
   v["steel_friction"] = shortest(paper::friction);
-  const Scene groups = scene_of(steel, paper::friction, 0.5);
+  const Scene groups = scene_of(steel, paper::friction);
   const double compliance = 4 * (1 - steel.poisson) * steel.load / (pi * steel.shear_modulus);
   v["hertz_p0"] = fixed(2 / pi * units_of(steel, paper::friction).traction / 1e9, 2);
   v["steel_peclet"] = fixed(groups.peclet, 0);
@@ -34,7 +34,7 @@ void values_of_steel(nlohmann::ordered_json& v) {
 }
 
 CoupledSolution corrected(double q) {
-  const Scene scene = paper::scene(q, paper::peclet);
+  const Scene scene = paper::scene(paper::peclet);
   return solve_coupled(scene, Formulation::corrected, 1e-8, {traction, q});
 }
 

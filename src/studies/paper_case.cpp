@@ -3,12 +3,12 @@
 
 namespace thermoroll::paper {
 
-Scene scene(double q, double pe) { return {friction, q, pe, heating}; }
+Scene scene(double pe) { return {friction, pe, heating}; }
 
 Carter closed_form(double q) { return carter(friction, q); }
 
 PrintedSolution scheme(double q, double pe, const PrintedOptions& options) {
-  return solve_printed(scene(q, pe), formulation, options);
+  return solve_printed(scene(pe), q, formulation, options);
 }
 
 double scheme_max(double q, double pe, const PrintedOptions& options) {
@@ -16,7 +16,7 @@ double scheme_max(double q, double pe, const PrintedOptions& options) {
 }
 
 CoupledSolution coupled(double q, double pe) {
-  return solve_coupled(scene(q, pe), formulation, 1e-8, {traction, q});
+  return solve_coupled(scene(pe), formulation, 1e-8, {traction, q});
 }
 
 }  // namespace thermoroll::paper

@@ -45,7 +45,7 @@ double scheme_load_change(const Carter& c, double peclet, int nodes) {
 }
 
 double exact_load_change(const Carter& c, double peclet) {
-  const FluxMap map = flux_map({c.friction, 0, peclet, 1}, Formulation::corrected, 64, c.c0);
+  const FluxMap map = flux_map({c.friction, peclet, 1}, Formulation::corrected, 64, c.c0);
   return map.kappa.dot(4 * c.friction / (pi * pi) * map.sigma) / c.friction;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "reference.hpp"
+#include "thermoroll/carter.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace {
@@ -49,9 +50,8 @@ TEST(Scene, PaperDataGiveThePapersGroups) {
   EXPECT_EQ(c.expansion, 11e-6);
   EXPECT_EQ(c.diffusivity, 14e-6);
   EXPECT_EQ(c.conductivity, 50);
-  const Scene scene = thermoroll::scene_of(c, 0.6, 0.5);
+  const Scene scene = thermoroll::scene_of(c, 0.6);
   EXPECT_EQ(scene.friction, 0.6);
-  EXPECT_EQ(scene.traction, 0.5);
   // 22.2 * 5.5e-3 / 28e-6 = 122.1e3/28, and 2 * 1.1e-5 * 1.3 * 1.4e-5 * 1.2e7 / (5.5e-3 * 50) =
   // 4.8048/275, to one rounding an operation.
   EXPECT_TRUE(close(scene.peclet, 122100.0L / 28, 4 * epsilon * 4361));
@@ -93,26 +93,19 @@ TEST(Scene, HertzHalfWidthInvertsTheRadius) {
 }
 
 TEST(Scene, RefusesWhatMakesNoSense) {
-  const Scene good{0.6, 0.5, 4360, 0.0175};
+  const Scene good{0.6, 4360, 0.0175};
   const PhysicalCase rail = thermoroll::wheel_on_rail();
   EXPECT_NO_THROW(thermoroll::check(good));
-  EXPECT_NO_THROW(thermoroll::check(Scene{0.6, 0.5, 4360, 0})) << "no heat is allowed";
+  EXPECT_NO_THROW(thermoroll::check(Scene{0.6, 4360, 0})) << "no heat is allowed";
   EXPECT_NO_THROW(thermoroll::check(rail));
 
-  const auto friction = [&](double x) {
-    return Scene{x, good.traction, good.peclet, good.heating};
-  };
+  const auto friction = [&](double x) { return Scene{x, good.peclet, good.heating}; };
   for (const double x : {0.0, -0.6, not_a_number, infinity, -infinity})
     expect_refusal(friction(x), "friction", x, "positive");
-  for (const double x : {0.0, -0.1, 0.6, 0.7, not_a_number, infinity, -infinity}) {
-    const Scene bad{good.friction, x, good.peclet, good.heating};
-    expect_refusal(bad, "traction", x, "above 0 and below the friction, 0.6");
-  }
   for (const double x : {0.0, -4360.0, not_a_number, infinity, -infinity})
-    expect_refusal(Scene{good.friction, good.traction, x, good.heating}, "peclet", x, "positive");
+    expect_refusal(Scene{good.friction, x, good.heating}, "peclet", x, "positive");
   for (const double x : {-1e-9, not_a_number, infinity, -infinity})
-    expect_refusal(Scene{good.friction, good.traction, good.peclet, x}, "heating", x,
-                   "zero or positive");
+    expect_refusal(Scene{good.friction, good.peclet, x}, "heating", x, "zero or positive");
 
   struct Field {
     const char* name;
@@ -153,7 +146,7 @@ TEST(Scene, RefusesWhatMakesNoSense) {
 TEST(Scene, RefusalShowsWhyTheValueIsOut) {
   const double traction = std::nextafter(0.6, 1);
   try {
-    thermoroll::check(Scene{0.6, traction, 1, 0});
+    thermoroll::carter(0.6, traction);
     ADD_FAILURE() << "accepted";
   } catch (const std::invalid_argument& refusal) {
     const std::string message = refusal.what();

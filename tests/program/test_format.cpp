@@ -1,4 +1,5 @@
 // What is printed of a solution, against the solution itself.
+#include "driven.hpp"
 #include "program/format.hpp"
 
 #include <cmath>
@@ -14,7 +15,7 @@ using namespace thermoroll;
 
 namespace {
 
-const Scene scene{0.6, 0.5, 300, 1};
+const Driven scene{0.6, 0.5, 300, 1};
 const Approach scheme{Method::gauss_chebyshev, Formulation::corrected, 60};
 
 std::map<std::string, std::string> cells_of(const Solution& x) {
@@ -58,7 +59,7 @@ TEST(Output, CountsAreThoseOfTheSolution) {
 // An error is rounded to one digit, by at most a third: 1.5 may become 2.
 TEST(Output, TextHasTheErrorsOfTheSolution) {
   const PhysicalCase c = wheel_on_rail();
-  const Solution x = solve(scene_of(c, 0.6, 0.5));
+  const Solution x = thermoroll::solve(scene_of(c, 0.6), {thermoroll::traction, 0.5});
   const FoundInSi si = in_si_units(x, c);
   const std::string text = present(x, si, Format::text);
   const auto expect_error = [&](const char* name, std::size_t column, double error) {
@@ -113,7 +114,8 @@ TEST(Output, QuotedCellsReadBack) {
 // A single number of a case in SI units or of its errors that is not finite is refused by name.
 TEST(Output, NoResultThatIsNotFinite) {
   const PhysicalCase c = wheel_on_rail();
-  const Solution x = solve(scene_of(c, 0.6, 0.5), {Method::closed_form});
+  const Solution x =
+      thermoroll::solve(scene_of(c, 0.6), {thermoroll::traction, 0.5}, {Method::closed_form});
   FoundInSi value = in_si_units(x, c), error = value;
   value.value.max_traction = error.error->max_traction = std::nan("");
   for (const FoundInSi& si : {value, error}) try {

@@ -11,8 +11,8 @@ namespace soak {
 
 /// A scene and the accuracy to solve it with.
 struct Sample {
-  thermoroll::Scene scene;  ///< its traction is not used
-  thermoroll::Given given;
+  thermoroll::Scene scene;
+  thermoroll::Prescribed given;
   thermoroll::Formulation formulation;
   double tolerance;
 };

@@ -5,6 +5,7 @@
 #include <exception>
 #include <random>
 
+#include "driven.hpp"
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 
@@ -14,7 +15,7 @@ int main() {
   const auto up_to = [&](double x) { return x * static_cast<double>(random()) / 0x1p32; };
   for (int i = 0; i < 40; ++i) {
     const double f = 0.05 + up_to(1), q = f * (0.001 + up_to(0.998));
-    const Scene scene{f, q, std::pow(10, -2 + up_to(8)), std::pow(10, -4 + up_to(3.5))};
+    const Driven scene{f, q, std::pow(10, -2 + up_to(8)), std::pow(10, -4 + up_to(3.5))};
     const double tolerance = std::pow(10, -2 - i % 4);
     const Formulation sign = i % 2 == 0 ? Formulation::corrected : Formulation::printed;
     try {

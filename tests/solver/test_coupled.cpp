@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "first_order.hpp"
 #include "reference.hpp"
 #include "solver/surface.hpp"
@@ -63,11 +64,10 @@ using reference::epsilon;
 using reference::Real;
 using thermoroll::CoupledSolution;
 using thermoroll::Formulation;
-using thermoroll::Given;
 using thermoroll::HeatFlux;
+using thermoroll::Prescribed;
 using thermoroll::Profile;
 using thermoroll::Quantity;
-using thermoroll::Scene;
 using thermoroll::solve_coupled;
 namespace kernel = thermoroll::kernel;
 
@@ -88,22 +88,22 @@ std::string name_of(Formulation formulation) {
 }
 
 // Solve for the traction of the scene.
-CoupledSolution solve(const Scene& scene, Formulation formulation, double tolerance) {
+CoupledSolution solve(const Driven& scene, Formulation formulation, double tolerance) {
   return solve_coupled(scene, formulation, tolerance, {thermoroll::traction, scene.traction});
 }
 
 // Slow and fast, little heat and much, a slip zone of a twentieth and of two thirds.
-const std::vector<Scene> scenes{
+const std::vector<Driven> scenes{
     {0.9, 0.8, 300, 0.2}, {0.6, 0.5, 4360, 0.0175}, {0.6, 0.5, 100, 1}, {0.3, 0.06, 2, 3}};
 
 // The same where quadratures of quadratures take their time.
-const std::vector<Scene> slow_scenes(scenes.begin(), thorough ? scenes.end() : scenes.begin() + 1);
+const std::vector<Driven> slow_scenes(scenes.begin(), thorough ? scenes.end() : scenes.begin() + 1);
 
 // What heat does, @eq:thermal-sides, by the adaptive quadrature of the kernels over the heat flux;
 // it has no rays, no Legendre polynomials and no tables.
 class Heat {
  public:
-  Heat(const Scene& scene, Formulation formulation, const CoupledSolution& x)
+  Heat(const Driven& scene, Formulation formulation, const CoupledSolution& x)
       : scene_(scene), sign_(sign_of(formulation)), flux_(thermoroll::coupled_flux(x)) {}
 
   // The integrals of N1 and N2 with the heat, from a point of the stick zone at the distance gap
@@ -144,7 +144,7 @@ class Heat {
     const auto upstream = std::lower_bound(points.begin(), points.end(), 0.0);
     return {integral(kernel::N1, {upstream, points.end()}), integral(kernel::N2, points)};
   }
-  Scene scene_;
+  Driven scene_;
   double sign_;
   HeatFlux flux_;
 };
@@ -180,7 +180,7 @@ class Polynomial {
 // smooth in the variables of @eq:angles, on the stick zone in the logarithm that stretches it.
 class Between {
  public:
-  Between(const Scene& scene, const CoupledSolution& x, const Profile& profile)
+  Between(const Driven& scene, const CoupledSolution& x, const Profile& profile)
       : c0_(x.value(thermoroll::border)), fine_(std::min(1.0L, std::sqrt((1 - c0_) / (1 + c0_)))) {
     for (Index i = 0; i < profile.s.size(); ++i) {
       const Real s = profile.s(i), p = profile.pressure(i);
@@ -259,7 +259,7 @@ std::vector<double> points_of_slip(double c0) {
 // quadrature: for a given border they must give the reported constants, to their error estimate.
 // The outer integrals are tanh-sinh ones, which leave 1e-10 of F and G at this step.
 TEST(Coupled, ThermalSidesAgainstAdaptiveQuadrature) {
-  for (const Scene& scene : slow_scenes)
+  for (const Driven& scene : slow_scenes)
     for (const Formulation formulation : both) {
       SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
       const double c = thermoroll::carter(scene.friction, scene.traction).c0;
@@ -317,7 +317,7 @@ TEST(Coupled, WithoutHeatItIsTheClosedForm) {
         const double q = f * share, peclet = 200;
         SCOPED_TRACE(::testing::Message() << "f = " << f << ", Q* = " << q);
         const thermoroll::Carter c = thermoroll::carter(f, q);
-        const Scene scene{f, q, peclet, 0};
+        const Driven scene{f, q, peclet, 0};
         const CoupledSolution x = solve(scene, formulation, 1e-8);
         const auto found = [&](Quantity quantity, double expected) {
           return close(x.value(quantity), expected, 1e-13L);
@@ -351,7 +351,7 @@ TEST(Coupled, WithoutHeatItIsTheClosedForm) {
 // pressure profile, and F by adaptive quadrature. The tolerance is that of the solution, for what
 // the equation's terms are made of, times the amplification of a pointwise value over an integral.
 TEST(Coupled, PressureSolvesTheNormalEquation) {
-  for (const Scene& scene : scenes)
+  for (const Driven& scene : scenes)
     for (const Formulation formulation : both) {
       SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
       const double tolerance = 1e-9;
@@ -379,7 +379,7 @@ TEST(Coupled, PressureSolvesTheNormalEquation) {
 // @eq:slip-velocity; the Cauchy integrals are those of the traction profile, G is by adaptive
 // quadrature.
 TEST(Coupled, SatisfiesItsOwnEquation) {
-  for (const Scene& scene : scenes)
+  for (const Driven& scene : scenes)
     for (const Formulation formulation : both) {
       SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
       const double tolerance = 1e-9;
@@ -421,7 +421,7 @@ TEST(Coupled, SatisfiesItsOwnEquation) {
 // The reported flux is a fixed point of the map, to the rounding of its n-term sums, and the map's
 // load ratio is the reported one. The nodes are those of the last grid.
 TEST(Coupled, FluxMapIsTheProblemThatIsSolved) {
-  for (const Scene& scene : scenes)
+  for (const Driven& scene : scenes)
     for (const Formulation formulation : both) {
       const double c0 = thermoroll::carter(scene.friction, scene.traction).c0;
       const CoupledSolution x = solve_coupled(scene, formulation, 1e-6, {thermoroll::border, c0});
@@ -446,7 +446,7 @@ TEST(Coupled, FluxMapIsTheProblemThatIsSolved) {
 // heat flux. For a given border the flux is that of the reported values; for a given traction it
 // is off by the last small step of the border, which the tolerance covers.
 TEST(Coupled, TemperatureAgainstAdaptiveQuadrature) {
-  for (const Scene& scene : slow_scenes)
+  for (const Driven& scene : slow_scenes)
     for (const Formulation formulation : both) {
       for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
         SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet
@@ -484,7 +484,7 @@ TEST(Coupled, TemperatureWithoutHeatHasItsError) {
   for (double peclet = 1; peclet < 2e8; peclet *= peclet < 1e3 ? 1.5 : 10)
     for (const double q : {0.08 * f, 0.5 * f, 0.999 * f, (1 - 1e-11) * f})
       for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8}) {
-        const auto x = solve_coupled({f, q, peclet, 1e-12}, Formulation::corrected, tolerance,
+        const auto x = solve_coupled({f, peclet, 1e-12}, Formulation::corrected, tolerance,
                                      {thermoroll::traction, q});
         const auto top = thermoroll::hottest_point(
             thermoroll::smooth_flux(thermoroll::carter(f, q)), peclet, 1e-11);
@@ -497,7 +497,7 @@ TEST(Coupled, TemperatureWithoutHeatHasItsError) {
 // Next to its limit the printed sign makes a flux with ripples, whose slopes are not those of the
 // temperature. The soak found that they led to a point colder by ten errors than another.
 TEST(Coupled, NoPointIsHotterThanTheHottest) {
-  const Scene scene{0.477548467785134, 0.2662593631525817, 200076.8686999386, 15.45468001911432};
+  const Driven scene{0.477548467785134, 0.2662593631525817, 200076.8686999386, 15.45468001911432};
   for (const double tolerance : {1e-2, 1e-3}) {
     const auto x = solve(scene, Formulation::printed, tolerance);
     const Profile profile = thermoroll::profile(scene, Formulation::printed, x);
@@ -517,7 +517,7 @@ double excess(const CoupledSolution& x, const CoupledSolution& finer) {
 // to less than its own error, and the change before tells better.
 TEST(Coupled, AgreementByAccidentIsNotBelieved) {
   struct Row {
-    Scene scene;
+    Driven scene;
     double c0;
     Formulation formulation;
   };
@@ -533,7 +533,7 @@ TEST(Coupled, AgreementByAccidentIsNotBelieved) {
                          Row{{0.065586127085010673, 0, 33.782754288315829, 14.881571795081747},
                              0.79934298996622832,
                              Formulation::corrected}}) {
-    const thermoroll::Given given{thermoroll::border, row.c0};
+    const thermoroll::Prescribed given{thermoroll::border, row.c0};
     const CoupledSolution x = solve_coupled(row.scene, row.formulation, 1e-6, given);
     EXPECT_LE(excess(x, solve_coupled(row.scene, row.formulation, 1e-10, given)), 1)
         << "c0 = " << row.c0;
@@ -543,7 +543,7 @@ TEST(Coupled, AgreementByAccidentIsNotBelieved) {
 // No estimate promises more digits than sums of n terms keep, each rounded to eps. On fine grids
 // nothing else is left of it: two of them agree to the last bits.
 TEST(Coupled, EstimateIsNotBelowRounding) {
-  for (const Scene& scene : {Scene{0.1, 0, 1, 0.3}, Scene{0.1, 0, 4360, 0.0175}})
+  for (const Driven& scene : {Driven{0.1, 0, 1, 0.3}, Driven{0.1, 0, 4360, 0.0175}})
     for (const Formulation formulation : both)
       for (const double tolerance : {1e-6, 1e-9, 1e-11}) {
         const CoupledSolution x =
@@ -560,7 +560,7 @@ TEST(Coupled, EstimateHoldsWhereConvergenceIsSlow) {
     for (const double heat : {0.3, 5.0, 40.0})
       for (const double peclet : {30.0, 3e4}) {
         if (!thorough && peclet > 30) continue;
-        const Scene scene{friction, share * friction, peclet, heat / friction};
+        const Driven scene{friction, share * friction, peclet, heat / friction};
         for (const Formulation formulation : both) {
           CoupledSolution finer;
           try {
@@ -583,7 +583,7 @@ TEST(Coupled, EstimateHoldsWhereConvergenceIsSlow) {
 /// A scene of the soak, in all its digits, as what happens in it is an accident of signs.
 struct SoakScene {
   double friction, peclet, heating;
-  thermoroll::Given given;
+  thermoroll::Prescribed given;
   Formulation formulation;
   double tolerance;
 };
@@ -640,7 +640,7 @@ TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
                      corrected,
                      1e-4},
        }) {
-    const Scene scene{x.friction, x.friction / 2, x.peclet, x.heating};
+    const Driven scene{x.friction, x.friction / 2, x.peclet, x.heating};
     const CoupledSolution found = solve_coupled(scene, x.formulation, x.tolerance, x.given);
     EXPECT_LE(excess(found, solve_coupled(scene, x.formulation, 1e-9, x.given)), 1)
         << x.given.value;
@@ -665,7 +665,7 @@ TEST(Coupled, ResultsAreFinite) {
 // Two tolerances that grids of 120 and 240 unknowns stall short of, as each sees a layer better:
 // the looser one is met where the tighter one is.
 TEST(Coupled, LooseToleranceIsMetWhereTightOneIs) {
-  const Scene scene{1.4007374041392449, 1.3676178774343715, 271701.45833979663, 0.5309191};
+  const Driven scene{1.4007374041392449, 1.3676178774343715, 271701.45833979663, 0.5309191};
   const CoupledSolution finer = solve(scene, Formulation::corrected, 1e-8);
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
     CoupledSolution x;
@@ -687,7 +687,7 @@ TEST(Coupled, AgreesWithConvergedReferences) {
                              0.18040203, 0.01223361, 1.5e-8},
                          Row{Formulation::printed, 0.0175, 0.5000474349, 0.9987725488, -7.933124e-4,
                              0.2255916504, 0.0144915966, 2e-10}}) {
-    const CoupledSolution x = solve_coupled({friction, 0, 100, row.heating}, row.formulation, 1e-9,
+    const CoupledSolution x = solve_coupled({friction, 100, row.heating}, row.formulation, 1e-9,
                                             {thermoroll::border, -0.1845});
     SCOPED_TRACE(::testing::Message() << name_of(row.formulation) << ", H = " << row.heating);
     EXPECT_TRUE(close(x.value(thermoroll::traction), row.traction, row.unit + 1e-9));
@@ -722,7 +722,7 @@ TEST(Coupled, HasEightDigitsInTheCorners) {
     for (const double f : thorough ? std::vector{0.1, 0.6} : std::vector{0.1})
       for (const double peclet : {1.0, 20000.0})
         for (const double heating : {0.0175, 3.0}) {
-          const Scene scene{f, 0.8 * f, peclet, heating};
+          const Driven scene{f, 0.8 * f, peclet, heating};
           const CoupledSolution x = solve(scene, formulation, 1e-8);
           if (f * heating > 1 && peclet > 1) continue;
           const CoupledSolution finer = solve(scene, formulation, 1e-10);
@@ -739,7 +739,7 @@ TEST(Coupled, HasEightDigitsInTheCorners) {
 // Vehicle dynamics asks for the force at a given creep; a border can be given as well. All three
 // ways to the same solution meet within their estimates.
 TEST(Coupled, FindsTheTractionOfAGivenCreep) {
-  for (const Scene& scene : scenes)
+  for (const Driven& scene : scenes)
     for (const Formulation formulation : both) {
       const CoupledSolution x = solve(scene, formulation, 1e-8);
       for (const Quantity given : {thermoroll::creep, thermoroll::border}) {
@@ -756,14 +756,14 @@ TEST(Coupled, FindsTheTractionOfAGivenCreep) {
     }
   // Without heat it is Carter's creep curve.
   for (const double creep : {0.01, 0.1, 0.3})
-    EXPECT_TRUE(close(solve_coupled({friction, 0, 10, 0}, Formulation::corrected, 1e-8,
-                                    {thermoroll::creep, creep})
-                          .value(thermoroll::traction),
-                      thermoroll::carter_creep_curve(friction, creep), 1e-13L));
+    EXPECT_TRUE(close(
+        solve_coupled({friction, 10, 0}, Formulation::corrected, 1e-8, {thermoroll::creep, creep})
+            .value(thermoroll::traction),
+        thermoroll::carter_creep_curve(friction, creep), 1e-13L));
   // What the scene says of the traction is not used.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto force = [&](double traction) {
-    return solve_coupled({friction, traction, 100, 0.5}, Formulation::corrected, 1e-6,
+    return solve_coupled({friction, 100, 0.5}, Formulation::corrected, 1e-6,
                          {thermoroll::creep, 0.2})
         .value(thermoroll::traction);
   };
@@ -772,8 +772,8 @@ TEST(Coupled, FindsTheTractionOfAGivenCreep) {
 
 TEST(Coupled, RefusesWhatItCannotSolve) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = INFINITY;
-  const Scene good{friction, 0.5, 100, 0.1};
-  const auto refuses = [](const Scene& scene, double tolerance, const Given& given,
+  const Driven good{friction, 0.5, 100, 0.1};
+  const auto refuses = [](const Driven& scene, double tolerance, const Prescribed& given,
                           const std::string& what) {
     try {
       solve_coupled(scene, Formulation::corrected, tolerance, given);
@@ -784,7 +784,7 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
     }
     return ::testing::AssertionFailure() << "accepted, instead of " << what;
   };
-  const Given half{thermoroll::traction, 0.3};
+  const Prescribed half{thermoroll::traction, 0.3};
   EXPECT_TRUE(refuses({0, 0, 100, 0.1}, 1e-6, half, "friction = 0 "));
   EXPECT_TRUE(refuses({-1, 0, 100, 0.1}, 1e-6, half, "friction = -1 "));
   EXPECT_TRUE(refuses({friction, 0, 0, 0.1}, 1e-6, half, "peclet = 0 "));
@@ -804,7 +804,7 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
   for (const double value : {0.38, 0.4, 1.0, 100.0})  // 2 f / pi is 0.382 without heat
     EXPECT_TRUE(refuses(good, 1e-4, {thermoroll::creep, value}, "creep = ")) << value;
   // Without end heating nothing is found. It is said in one line that names the solver.
-  const auto unsolved = [](const Scene& scene, Formulation formulation, const Given& given) {
+  const auto unsolved = [](const Driven& scene, Formulation formulation, const Prescribed& given) {
     try {
       const CoupledSolution x = solve_coupled(scene, formulation, 1e-4, given);
       return ::testing::AssertionFailure() << "solved: " << x.value.transpose();
@@ -827,7 +827,7 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
 TEST(Coupled, CreepEndsWhereAllSlips) {
   for (const Formulation formulation : both)
     for (const double heating : {0.0, 0.1, 1.0}) {
-      const Scene scene{friction, 0, 100, heating};
+      const Driven scene{friction, 0, 100, heating};
       const CoupledSolution nearly =
           solve_coupled(scene, formulation, 1e-8, {thermoroll::border, -1 + 1e-4});
       const double most = nearly.value(thermoroll::creep);
@@ -842,7 +842,7 @@ TEST(Coupled, CreepEndsWhereAllSlips) {
 // Where Newton's method finds nothing next to full slip, it is led there from the middle. The creep
 // of full slip is that of the border next to it.
 TEST(Coupled, CreepEndsWhereAllSlipsInStrongHeat) {
-  const Scene scene{1.5, 0, 300, 20};
+  const Driven scene{1.5, 0, 300, 20};
   const CoupledSolution nearly =
       solve_coupled(scene, Formulation::corrected, 1e-4, {thermoroll::border, -1 + 1e-4});
   const double most = nearly.value(thermoroll::creep);
@@ -856,7 +856,7 @@ TEST(Coupled, CreepEndsWhereAllSlipsInStrongHeat) {
 // contact; the same contact is found from its border.
 TEST(Coupled, FindsWhatCoarseGridsMiss) {
   struct Row {
-    Scene scene;
+    Driven scene;
     Formulation formulation;
   };
   for (const auto& [scene, formulation] :
@@ -895,7 +895,7 @@ TEST(Coupled, LeavesTheWrongRootOfACoarseGrid) {
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
 // node.
 TEST(Coupled, ProfilesCarryTheLoads) {
-  for (const Scene& scene : scenes)
+  for (const Driven& scene : scenes)
     for (const Formulation formulation : both)
       for (const double tolerance : {1e-4, 1e-9}) {
         SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet
@@ -939,7 +939,7 @@ TEST(Coupled, ProfilesCarryTheLoads) {
 // slope, which does not enter. (Multiply @eq:slip-velocity, written with q, by q and integrate:
 // a traction does no work on its own Cauchy integral.)
 TEST(Coupled, EnergyBalances) {
-  for (const Scene& scene : slow_scenes)
+  for (const Driven& scene : slow_scenes)
     for (const Formulation formulation : both) {
       SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
       const CoupledSolution x = solve(scene, formulation, 1e-9);
@@ -999,7 +999,7 @@ TEST(Coupled, FirstOrderInHeat) {
 
 // Every error that is promised to meet the tolerance does, relative where it is promised so.
 TEST(Coupled, MeetsTheTolerance) {
-  for (const Scene& scene : scenes)
+  for (const Driven& scene : scenes)
     for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10}) {
       const CoupledSolution x = solve(scene, Formulation::corrected, tolerance);
       for (const Quantity quantity :
@@ -1016,7 +1016,7 @@ TEST(Coupled, MeetsTheTolerance) {
 
 // Bit for bit, whatever was solved before, and in another thread.
 TEST(Coupled, IsDeterministic) {
-  const Scene scene{friction, 0.5, 4360, 0.0175};
+  const Driven scene{friction, 0.5, 4360, 0.0175};
   const auto same = [&](const CoupledSolution& x, const CoupledSolution& y) {
     const Profile a = thermoroll::profile(scene, Formulation::corrected, x);
     const Profile b = thermoroll::profile(scene, Formulation::corrected, y);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "reference.hpp"
 #include "solver/contact_grid.hpp"
 #include "solver/least_model.hpp"
@@ -20,9 +21,8 @@ using reference::close;
 using thermoroll::Choice;
 using thermoroll::CoupledSolution;
 using thermoroll::Formulation;
-using thermoroll::Given;
 using thermoroll::Model;
-using thermoroll::Scene;
+using thermoroll::Prescribed;
 using thermoroll::Values;
 
 // The sanitizers need not see every scene.
@@ -42,7 +42,7 @@ double apart(const CoupledSolution& x, const CoupledSolution& y) {
   return off.head(thermoroll::hottest + 1).maxCoeff();
 }
 
-CoupledSolution better(const Scene& scene, Formulation formulation, double tolerance) {
+CoupledSolution better(const Driven& scene, Formulation formulation, double tolerance) {
   return thermoroll::solve_coupled(scene, formulation, tolerance,
                                    {thermoroll::traction, scene.traction});
 }
@@ -51,7 +51,7 @@ CoupledSolution better(const Scene& scene, Formulation formulation, double toler
 class Scenes {
  public:
   explicit Scenes(unsigned seed) : random_(seed) {}
-  Scene next() {
+  Driven next() {
     const double f = log_uniform(0.05, 1), q = f * log_uniform(0.01, 0.999);
     return {f, q, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
   }
@@ -68,7 +68,7 @@ Eigen::ArrayXd flux_at(const thermoroll::Rule& rule, const CoupledSolution& x) {
   return thermoroll::legendre(rule.x, x.h.size()) * x.h;
 }
 
-std::string text(const Scene& x) {
+std::string text(const Driven& x) {
   std::ostringstream out;
   out.precision(17);
   out << "f = " << x.friction << ", Q* = " << x.traction << ", Pe = " << x.peclet
@@ -83,7 +83,7 @@ std::string text(const Scene& x) {
 TEST(LeastModel, TemperatureOfTheClosedForm) {
   for (const double peclet : {0.01, 1.0, 30.0, 1e3, 1e4, 1e6})
     for (const double share : {0.02, 0.8, 0.99}) {
-      const Scene scene{0.6, 0.6 * share, peclet, 0};
+      const Driven scene{0.6, 0.6 * share, peclet, 0};
       const thermoroll::HeatFlux flux =
           thermoroll::carter_flux(thermoroll::carter(0.6, scene.traction));
       const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
@@ -117,7 +117,7 @@ TEST(LeastModel, ClimbsFromAnywhere) {
   }
   // A secant from here would end 1e-5 from an end, and rest there.
   const double f = 0.054926506659698594, q = 4.062535721915226e-10;
-  const Scene scene{f, q, 4302.672662329718, 0};
+  const Driven scene{f, q, 4302.672662329718, 0};
   const auto x =
       thermoroll::closed_form(scene, Formulation::corrected, 1e-4, {thermoroll::traction, q});
   const auto peak =
@@ -131,8 +131,8 @@ TEST(LeastModel, TemperatureOfTheFirstOrder) {
   for (const double peclet : {1.0, 1e4, 1e6, 1e8})
     for (const double share : {1e-3, 0.8, 1 - 1e-9})
       for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
-        const Scene scene{0.6, 0.6 * share, peclet, 1e-12};
-        const Given given{thermoroll::traction, scene.traction};
+        const Driven scene{0.6, 0.6 * share, peclet, 1e-12};
+        const Prescribed given{thermoroll::traction, scene.traction};
         const auto exact = thermoroll::closed_form(scene, Formulation::corrected, 1e-11, given);
         const auto x = thermoroll::first_order(scene, Formulation::corrected, tolerance, given);
         EXPECT_TRUE(close(x.value(thermoroll::hottest) / exact.value(thermoroll::hottest), 1,
@@ -146,8 +146,8 @@ TEST(LeastModel, FirstOrderAtTheEndsOfTheRange) {
   for (const Formulation formulation : both)
     for (const double peclet : {1e2, 1e5, 5e7})
       for (const double share : {1e-4, 1e-6, 1e-8, 1e-10, 1 - 1e-9}) {
-        Scene scene{0.6, 0.6 * share, peclet, 1};
-        const Given given{thermoroll::traction, scene.traction};
+        Driven scene{0.6, 0.6 * share, peclet, 1};
+        const Prescribed given{thermoroll::traction, scene.traction};
         scene.heating =
             3e-3 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
         const auto x = thermoroll::first_order(scene, formulation, 1e-6, given);
@@ -164,7 +164,7 @@ TEST(LeastModel, FirstOrderIsOfSecondOrder) {
     for (const double peclet : {1.0, 100.0, 4360.0}) {
       double error[2];
       for (const bool less : {false, true}) {
-        const Scene scene{0.6, 0.4, peclet, less ? 0.01 : 0.1};
+        const Driven scene{0.6, 0.4, peclet, less ? 0.01 : 0.1};
         const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-10,
                                                           {thermoroll::traction, scene.traction});
         error[less] = apart(x, better(scene, formulation, 1e-10));
@@ -177,8 +177,8 @@ TEST(LeastModel, FirstOrderIsOfSecondOrder) {
 // Without heat the two lower rungs are the same, and the coupled solution is Carter's.
 TEST(LeastModel, WithoutHeatAllRungsAgree) {
   for (const double share : {0.01, 0.5, 0.99}) {
-    const Scene scene{0.6, 0.6 * share, 100, 0};
-    const Given given{thermoroll::traction, scene.traction};
+    const Driven scene{0.6, 0.6 * share, 100, 0};
+    const Prescribed given{thermoroll::traction, scene.traction};
     const CoupledSolution exact = better(scene, Formulation::corrected, 1e-9);
     EXPECT_LT(apart(thermoroll::closed_form(scene, Formulation::corrected, 1e-9, given), exact),
               1e-9);
@@ -198,7 +198,7 @@ TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
       for (const auto quantity : {thermoroll::traction, thermoroll::creep, thermoroll::border}) {
         const double f = 0.6;
         const thermoroll::Carter c = thermoroll::carter(f, f * share);
-        const Given given{quantity, thermoroll::carter_values(c)(quantity)};
+        const Prescribed given{quantity, thermoroll::carter_values(c)(quantity)};
         if (quantity == thermoroll::creep && given.value >= 2 * f / thermoroll::pi) continue;
         const thermoroll::Carter exact = thermoroll::carter_given(f, given);
         const Values closed = thermoroll::carter_values(exact);
@@ -206,7 +206,7 @@ TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
         const double of_given =
             thermoroll::rounding(given, thermoroll::carter_slope(exact, quantity), scale);
         const Values own = scale * (of_given + 4 * std::numeric_limits<double>::epsilon());
-        const Scene scene{f, f / 2, 3, 0};
+        const Driven scene{f, f / 2, 3, 0};
         for (const double tolerance : {1e-3, 1e-6}) {
           const CoupledSolution solutions[] = {
               thermoroll::closed_form(scene, Formulation::corrected, tolerance, given),
@@ -228,9 +228,9 @@ TEST(LeastModel, FirstOrderErrorIsHonest) {
   Scenes scenes(2002);
   int used[2] = {0, 0};
   for (int i = 0; i < 60 * thorough; ++i) {
-    const Scene scene = scenes.next();
+    const Driven scene = scenes.next();
     const Formulation formulation = both[i % 2];
-    const Given given{thermoroll::traction, scene.traction};
+    const Prescribed given{thermoroll::traction, scene.traction};
     const CoupledSolution rungs[] = {thermoroll::closed_form(scene, formulation, 1e-7, given),
                                      thermoroll::first_order(scene, formulation, 1e-7, given)};
     if (rungs[1].error(thermoroll::load_ratio) > 0.1) continue;
@@ -256,7 +256,7 @@ TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
       for (const double lambda : {1.0, 10.0, 1000.0}) {
         const thermoroll::Carter c = thermoroll::carter_given(0.6, {thermoroll::border, border});
         const double q = thermoroll::carter_values(c)(thermoroll::traction), slip = 1 - border;
-        const Scene scene{0.6, q, lambda / slip, 0.1};
+        const Driven scene{0.6, q, lambda / slip, 0.1};
         const CoupledSolution cold =
             thermoroll::closed_form(scene, formulation, 1e-7, {thermoroll::traction, q});
         const CoupledSolution hot = better(scene, formulation, 1e-8);
@@ -276,8 +276,8 @@ TEST(LeastModel, FirstOrderErrorKnowsTheFluxAtEveryNode) {
   for (const Formulation formulation : both)
     for (const double peclet : {10.0, 1e3, 1e5, 1e7})
       for (const double heating : {1e-3, 1e-2, 1e-1}) {
-        const Scene scene{0.6, 0.3, peclet, heating};
-        const Given given{thermoroll::border, 0};
+        const Driven scene{0.6, 0.3, peclet, heating};
+        const Prescribed given{thermoroll::border, 0};
         const CoupledSolution cold = thermoroll::closed_form(scene, formulation, 1e-7, given);
         const CoupledSolution hot = thermoroll::first_order(scene, formulation, 1e-7, given);
         const thermoroll::Rule& rule = thermoroll::gauss_legendre(hot.unknowns);
@@ -297,8 +297,8 @@ TEST(LeastModel, FirstOrderIsResolvedEverywhere) {
   for (const Formulation formulation : both)
     for (const double peclet : {1.0, 1e4, 1e8, 1e10})
       for (const double share : {1e-12, 1e-9, 1e-7, 1e-3, 0.5, 0.999}) {
-        Scene scene{0.6, 0.6 * share, peclet, 1};
-        const Given given{thermoroll::traction, scene.traction};
+        Driven scene{0.6, 0.6 * share, peclet, 1};
+        const Prescribed given{thermoroll::traction, scene.traction};
         scene.heating =
             3e-5 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
         const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-9, given);
@@ -317,7 +317,7 @@ TEST(LeastModel, FirstOrderErrorCoversTheShortestSlipZones) {
       for (const double lambda : {1e-5, 1e-3, 0.1}) {
         const double f = 0.06;
         const thermoroll::Carter c = thermoroll::carter(f, f * share);
-        Scene scene{f, f * share, lambda / (2 * c.slip_half_width), 1};
+        Driven scene{f, f * share, lambda / (2 * c.slip_half_width), 1};
         scene.heating = 0.01 / thermoroll::expected_change(scene, c);
         const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-8,
                                                           {thermoroll::traction, scene.traction});
@@ -332,8 +332,8 @@ TEST(LeastModel, FirstOrderErrorCoversTheShortestSlipZones) {
 // whose solution is a contact.
 TEST(LeastModel, NoContactIsNotLeftToTheFirstOrder) {
   for (const Formulation formulation : both) {
-    Scene scene{0.6, 0.6 * (1 - 1e-9), 1e9, 1};
-    const Given given{thermoroll::traction, scene.traction};
+    Driven scene{0.6, 0.6 * (1 - 1e-9), 1e9, 1};
+    const Prescribed given{thermoroll::traction, scene.traction};
     scene.heating = 1e-2 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
     const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-7, given);
     ASSERT_EQ(x.violations.size(), 1u);
@@ -351,8 +351,8 @@ TEST(LeastModel, NoContactIsNotLeftToTheFirstOrder) {
 TEST(LeastModel, KnowsNoErrorWhereHeatTakesTheStickZone) {
   for (const Formulation formulation : both)
     for (const double peclet : {1.0, 100.0, 1e4}) {
-      const Scene scene{0.6, 0.3, peclet, 1e-4};
-      const Given given{thermoroll::creep, 1.2 / thermoroll::pi * (1 - 1e-9)};
+      const Driven scene{0.6, 0.3, peclet, 1e-4};
+      const Prescribed given{thermoroll::creep, 1.2 / thermoroll::pi * (1 - 1e-9)};
       for (const auto rung : {thermoroll::closed_form, thermoroll::first_order})
         EXPECT_EQ(rung(scene, formulation, 1e-3, given).error(thermoroll::load_ratio), infinity);
       EXPECT_THROW(thermoroll::solve_coupled(scene, formulation, 1e-3, given),
@@ -363,8 +363,8 @@ TEST(LeastModel, KnowsNoErrorWhereHeatTakesTheStickZone) {
 
 // The axis lies off the middle by pi gamma0 / (2 kappa), on every rung.
 TEST(LeastModel, EccentricityIsThatOfLoadAndGamma) {
-  const Scene scene{0.6, 0.3, 100, 0.3};
-  const Given given{thermoroll::traction, scene.traction};
+  const Driven scene{0.6, 0.3, 100, 0.3};
+  const Prescribed given{thermoroll::traction, scene.traction};
   for (const auto solve :
        {thermoroll::closed_form, thermoroll::first_order, thermoroll::solve_coupled}) {
     const CoupledSolution x = solve(scene, Formulation::corrected, 1e-4, given);
@@ -382,7 +382,7 @@ TEST(LeastModel, MeetsEveryTolerance) {
   Scenes scenes(1);
   int compared = 0;
   for (int i = 0; i < 90 * thorough; ++i) {
-    const Scene scene = scenes.next();
+    const Driven scene = scenes.next();
     const Formulation formulation = both[i % 2];
     const double tolerance = i % 3 == 0 ? 1e-2 : i % 3 == 1 ? 1e-3 : 1e-6;
     try {
@@ -413,10 +413,9 @@ TEST(LeastModel, EveryQuantityCountsInTheLargestDifference) {
 }
 
 TEST(LeastModel, TakesTheRungsInTurn) {
-  const Given given{thermoroll::traction, 0.5};
+  const Prescribed given{thermoroll::traction, 0.5};
   const auto model = [&](double heating, double tolerance) {
-    return thermoroll::least_model({0.6, 0.5, 4360, heating}, Formulation::corrected, tolerance,
-                                   given)
+    return thermoroll::least_model({0.6, 4360, heating}, Formulation::corrected, tolerance, given)
         .model;
   };
   EXPECT_EQ(model(0.0175, 1e-2), Model::closed_form);
@@ -438,10 +437,10 @@ TEST(LeastModel, TakesTheRungsInTurn) {
 TEST(LeastModel, TakesCreepOrBorder) {
   for (const double heating : {1e-4, 0.0175, 0.3})
     for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
-      const Scene scene{0.6, 0.5, 100, heating};
+      const Driven scene{0.6, 0.5, 100, heating};
       const CoupledSolution exact = better(scene, Formulation::corrected, 1e-8);
       for (const auto quantity : {thermoroll::creep, thermoroll::border}) {
-        const Given given{quantity, exact.value(quantity)};
+        const Prescribed given{quantity, exact.value(quantity)};
         const Choice x = thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
         EXPECT_EQ(x.solution.value(quantity), given.value);
         EXPECT_LE(apart(x.solution, exact), 1.1 * tolerance) << heating << ", " << quantity;
@@ -450,8 +449,8 @@ TEST(LeastModel, TakesCreepOrBorder) {
 }
 
 TEST(LeastModel, RefusesWhatItCannotSolve) {
-  const Scene scene{0.6, 0.5, 100, 0.1};
-  const auto solve = [&](double tolerance, const Given& given) {
+  const Driven scene{0.6, 0.5, 100, 0.1};
+  const auto solve = [&](double tolerance, const Prescribed& given) {
     thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
   };
   EXPECT_THROW(solve(1e-12, {thermoroll::traction, 0.5}), std::invalid_argument);
@@ -461,9 +460,10 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
   EXPECT_THROW(solve(1e-3, {thermoroll::creep, 0.5}), std::invalid_argument);  // all of it slips
   const auto rungs = {thermoroll::closed_form, thermoroll::first_order};
   for (const auto rung : rungs)
-    for (const Given& given : {Given{thermoroll::hottest, 0.1}, Given{thermoroll::load_ratio, 0.1},
-                               Given{thermoroll::border, 2}, Given{thermoroll::creep, -0.1},
-                               Given{thermoroll::creep, 0.5}, Given{thermoroll::traction, 0.6}})
+    for (const Prescribed& given :
+         {Prescribed{thermoroll::hottest, 0.1}, Prescribed{thermoroll::load_ratio, 0.1},
+          Prescribed{thermoroll::border, 2}, Prescribed{thermoroll::creep, -0.1},
+          Prescribed{thermoroll::creep, 0.5}, Prescribed{thermoroll::traction, 0.6}})
       EXPECT_THROW(rung(scene, Formulation::corrected, 1e-3, given), std::invalid_argument)
           << given.quantity << ' ' << given.value;
 }
@@ -481,7 +481,7 @@ TEST(LeastModel, ErrorsCoverTheLastBitsOfTheTraction) {
     }
   };
   for (const double heating : {1e-12, 1e-9}) {
-    const Scene at{f, q, 100, heating}, near{f, less, 100, heating};
+    const Driven at{f, q, 100, heating}, near{f, less, 100, heating};
     expect_covered(solve_coupled(at, Formulation::corrected, 1e-6, {thermoroll::traction, q}),
                    solve_coupled(near, Formulation::corrected, 1e-6, {thermoroll::traction, less}));
     expect_covered(

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "first_order.hpp"
 #include "reference.hpp"
 #include "thermoroll/carter.hpp"
@@ -24,7 +25,6 @@ using thermoroll::Formulation;
 using thermoroll::Grid;
 using thermoroll::PrintedOptions;
 using thermoroll::PrintedSolution;
-using thermoroll::Scene;
 
 constexpr double friction = 0.6;  // of every figure of the paper
 
@@ -35,7 +35,7 @@ PrintedSolution solve(double traction, double peclet, double heating, int nodes,
   PrintedOptions options;
   options.nodes = nodes;
   options.tolerance = tolerance;
-  return thermoroll::solve_printed({friction, traction, peclet, heating}, formulation, options);
+  return solve_printed({friction, traction, peclet, heating}, formulation, options);
 }
 
 }  // namespace
@@ -174,8 +174,8 @@ TEST(PrintedScheme, SatisfiesItsOwnEquations) {
       options.nodes = k.nodes;
       options.tolerance = 1e-12;
       options.heaviside_at_zero = k.self;
-      const PrintedSolution x = thermoroll::solve_printed(
-          {friction, k.traction, k.peclet, k.heating}, formulation, options);
+      const PrintedSolution x =
+          solve_printed({friction, k.traction, k.peclet, k.heating}, formulation, options);
       ASSERT_TRUE(x.converged);
       SCOPED_TRACE(::testing::Message() << "Pe = " << k.peclet << ", H = " << k.heating);
       const Real eps_sign = sign_of(formulation), f = friction, thermal = f * k.peclet * k.heating;
@@ -277,7 +277,7 @@ TEST(PrintedScheme, ReproducesThePapersTemperature) {
     PrintedOptions options;
     options.heaviside_at_zero = 0.5 * i;
     const PrintedSolution x =
-        thermoroll::solve_printed({friction, 0.5, 5000, 0.0175}, Formulation::printed, options);
+        solve_printed({friction, 0.5, 5000, 0.0175}, Formulation::printed, options);
     const thermoroll::PrintedPeak peak = thermoroll::printed_max_temperature(x, 5000);
     EXPECT_TRUE(x.converged);
     EXPECT_TRUE(close(peak.temperature, expected[i], 0.5e-6))
@@ -470,24 +470,23 @@ TEST(PrintedScheme, GivesUpAfterTenFailures) {
   options.nodes = 20;
   options.max_inner = 1;
   options.tolerance = 1e-12;
-  const Scene scene{friction, 0.5, 100, 0.5};
-  const PrintedSolution ten = thermoroll::solve_printed(scene, Formulation::printed, options);
+  const Driven scene{friction, 0.5, 100, 0.5};
+  const PrintedSolution ten = solve_printed(scene, Formulation::printed, options);
   EXPECT_FALSE(ten.converged);
   EXPECT_EQ(ten.outer_iterations, 1 + 10);
   options.max_failures = 3;
-  EXPECT_EQ(thermoroll::solve_printed(scene, Formulation::printed, options).outer_iterations,
-            1 + 3);
+  EXPECT_EQ(solve_printed(scene, Formulation::printed, options).outer_iterations, 1 + 3);
 
   // A cycle: without a bound on the failures it runs into the bound on the steps.
   PrintedOptions bounded;
   bounded.nodes = 40;
-  const Scene hot{friction, 0.5, 100, 4};
-  const PrintedSolution cycle = thermoroll::solve_printed(hot, Formulation::printed, bounded);
+  const Driven hot{friction, 0.5, 100, 4};
+  const PrintedSolution cycle = solve_printed(hot, Formulation::printed, bounded);
   EXPECT_FALSE(cycle.converged);
   EXPECT_EQ(cycle.inner_iterations, bounded.max_inner);
   EXPECT_LT(cycle.outer_iterations, 60);
   bounded.max_failures = bounded.max_outer;
-  const PrintedSolution endless = thermoroll::solve_printed(hot, Formulation::printed, bounded);
+  const PrintedSolution endless = solve_printed(hot, Formulation::printed, bounded);
   EXPECT_FALSE(endless.converged);
   EXPECT_EQ(endless.outer_iterations, bounded.max_outer);
 
@@ -503,27 +502,26 @@ TEST(PrintedScheme, SaysWhenItDoesNotConverge) {
   options.nodes = 100;
   options.max_outer = 35;  // more than the paper ever needed
   options.max_inner = 20;
-  const PrintedSolution hot =
-      thermoroll::solve_printed({friction, 0.5, 100, 2}, Formulation::printed, options);
+  const PrintedSolution hot = solve_printed({friction, 0.5, 100, 2}, Formulation::printed, options);
   EXPECT_FALSE(hot.converged);
   EXPECT_LE(hot.outer_iterations, 35);
   EXPECT_EQ(hot.phi.size(), 100) << "the last iterate is there";
 
   // A case that does settle, stopped early by either bound.
-  const Scene scene{friction, 0.5, 100, 0.0175};
+  const Driven scene{friction, 0.5, 100, 0.0175};
   options.nodes = 20;
-  const PrintedSolution good = thermoroll::solve_printed(scene, Formulation::printed, options);
+  const PrintedSolution good = solve_printed(scene, Formulation::printed, options);
   EXPECT_TRUE(good.converged);
   EXPECT_GT(good.inner_iterations, 1);
   options.max_outer = good.outer_iterations - 1;
-  const PrintedSolution early = thermoroll::solve_printed(scene, Formulation::printed, options);
+  const PrintedSolution early = solve_printed(scene, Formulation::printed, options);
   EXPECT_FALSE(early.converged);
   EXPECT_EQ(early.outer_iterations, good.outer_iterations - 1);
   options.max_outer = good.outer_iterations;
-  EXPECT_TRUE(thermoroll::solve_printed(scene, Formulation::printed, options).converged);
+  EXPECT_TRUE(solve_printed(scene, Formulation::printed, options).converged);
   // The border alone bounded: one inner step a time still settles in the end, but not in three.
   options.max_inner = 1;
-  EXPECT_FALSE(thermoroll::solve_printed(scene, Formulation::printed, options).converged);
+  EXPECT_FALSE(solve_printed(scene, Formulation::printed, options).converged);
 }
 
 // Whenever it says that it converged, the traction is the one asked for, to the tolerance: with one
@@ -541,8 +539,8 @@ TEST(PrintedScheme, ConvergesToTheTractionOrNotAtAll) {
             options.nodes = 20;
             options.tolerance = tolerance;
             options.max_inner = steps;
-            const PrintedSolution x = thermoroll::solve_printed({friction, traction, 4000, heating},
-                                                                formulation, options);
+            const PrintedSolution x =
+                solve_printed({friction, traction, 4000, heating}, formulation, options);
             SCOPED_TRACE(::testing::Message() << "Q* = " << traction << ", H = " << heating
                                               << ", tolerance " << tolerance << ", " << steps);
             EXPECT_TRUE(-1 < x.c0 && x.c0 <= 1) << x.c0;
@@ -558,17 +556,16 @@ TEST(PrintedScheme, ConvergesToTheTractionOrNotAtAll) {
 }
 
 TEST(PrintedScheme, RefusesWhatMakesNoSense) {
-  const Scene good{friction, 0.5, 100, 0.0175};
+  const Driven good{friction, 0.5, 100, 0.0175};
   PrintedOptions options;
   for (const int nodes : {2, 1, 0, -5}) {
     options.nodes = nodes;
-    EXPECT_THROW(thermoroll::solve_printed(good, Formulation::printed, options),
-                 std::invalid_argument);
+    EXPECT_THROW(solve_printed(good, Formulation::printed, options), std::invalid_argument);
   }
   options.nodes = 3;
-  EXPECT_NO_THROW(thermoroll::solve_printed(good, Formulation::printed, options));
+  EXPECT_NO_THROW(solve_printed(good, Formulation::printed, options));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Scene& bad :
-       {Scene{friction, 0.6, 100, 0}, Scene{friction, 0.5, -1, 0}, Scene{friction, 0.5, 100, nan}})
-    EXPECT_THROW(thermoroll::solve_printed(bad, Formulation::printed), std::invalid_argument);
+  for (const Driven& bad : {Driven{friction, 0.6, 100, 0}, Driven{friction, 0.5, -1, 0},
+                            Driven{friction, 0.5, 100, nan}})
+    EXPECT_THROW(solve_printed(bad, Formulation::printed), std::invalid_argument);
 }

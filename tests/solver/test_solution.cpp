@@ -1,4 +1,5 @@
 // The results that all methods report through, checked from outside.
+#include "driven.hpp"
 #include "thermoroll/solution.hpp"
 
 #include <algorithm>
@@ -19,10 +20,10 @@ const Approach closed_form{Method::closed_form};
 const Approach scheme{Method::gauss_chebyshev, Formulation::printed};
 
 /// Scenes with friction 0.05 to 2 and traction / friction down to 1e-6 from either end.
-std::vector<Scene> random_scenes(int count) {
+std::vector<Driven> random_scenes(int count) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<Scene> scenes;
+  std::vector<Driven> scenes;
   for (int i = 0; i < count; ++i) {
     const double friction = 0.05 * std::pow(40, uniform(generator));
     const double near_end = std::pow(10, -6 * uniform(generator)) / 2;
@@ -33,7 +34,7 @@ std::vector<Scene> random_scenes(int count) {
 }
 
 /// A case with these groups at the load and the half-width of the wheel.
-PhysicalCase case_of(const Scene& scene) {
+PhysicalCase case_of(const Driven& scene) {
   PhysicalCase c = wheel_on_rail();
   c.speed = 2 * c.diffusivity * scene.peclet / c.half_width;
   c.expansion = scene.heating * c.half_width * c.conductivity /
@@ -43,7 +44,7 @@ PhysicalCase case_of(const Scene& scene) {
 
 // The peaks of the closed form in long double. The flux (b + h u) sqrt(u (1 - u)) has one maximum,
 // which a golden section finds to the root of rounding, and its value to rounding.
-Peaks exact_peaks(const Scene& scene) {
+Peaks exact_peaks(const Driven& scene) {
   const long double f = scene.friction, q = scene.traction, b = std::sqrt((f - q) / f);
   const long double h = q / f / (1 + b), long_pi = std::acos(-1.0L), golden = 0.6180339887L;
   const auto flux = [&](long double u) {
@@ -69,9 +70,9 @@ const double ends[] = {1e-12, 1e-9, 1e-6, 1e-3, 0.5, 1 - 1e-3, 1 - 1e-6, 1 - 1e-
 /// they are continued from where it does not, from 2e-4 and 1e-4 as linear functions of Carter's
 /// b = sqrt(1 - Q*/f). The next term of the series is smaller by another 1e-4; a thousandth of the
 /// change covers it.
-FoundPeaks fine_peaks(const Scene& scene, Formulation formulation) {
+FoundPeaks fine_peaks(const Driven& scene, Formulation formulation) {
   const Approach tight{Method::coupled, formulation, 200, 1e-10};
-  Scene near = scene, nearer = scene;
+  Driven near = scene, nearer = scene;
   if (scene.traction < (1 - 1e-10) * scene.friction) return peaks(solve(scene, tight));
   near.traction = (1 - 4e-8) * scene.friction, nearer.traction = (1 - 1e-8) * scene.friction;
   const Peaks x = peaks(solve(near, tight)).value, y = peaks(solve(nearer, tight)).value;
@@ -97,7 +98,7 @@ constexpr double PhysicalResults::*all_in_si[] = {
 TEST(Solution, RoundingStaysWithinItsBounds) {
   static_assert(std::numeric_limits<long double>::digits >= 64, "needs a wider long double");
   const long double long_pi = std::acos(-1.0L);
-  for (const Scene& scene : random_scenes(200)) {
+  for (const Driven& scene : random_scenes(200)) {
     const Solution x = solve(scene, closed_form);
     const long double f = scene.friction, q = scene.traction, b = std::sqrt((f - q) / f);
     const long double h = q / f / (1 + b), creep = 2 * f / long_pi * h;
@@ -121,7 +122,7 @@ TEST(Solution, RoundingStaysWithinItsBounds) {
 // slope may be large, so the corner is one of the samples, by the lengths of both zones, which keep
 // their digits.
 TEST(Solution, PeaksAreTheLargestValues) {
-  for (const Scene& scene : random_scenes(20)) {
+  for (const Driven& scene : random_scenes(20)) {
     const Peaks x = peaks(solve(scene, closed_form)).value;
     const Carter c = carter(scene.friction, scene.traction);
     double traction = c.friction * 4 / pi * std::sqrt(c.slip_half_width * c.b), flux = 0;
@@ -144,7 +145,7 @@ TEST(Solution, PeaksAreTheLargestValues) {
 // the top; the border is left of the middle, so the same holds for the traction. The flux is
 // narrower, with the half-width h = 0.59 of the slip zone, and twice as curved.
 TEST(Solution, PeaksOfTheSchemeAreThoseAtItsNodes) {
-  const Scene scene{0.6, 0.5, 100, 0};
+  const Driven scene{0.6, 0.5, 100, 0};
   const Peaks exact = peaks(solve(scene, closed_form)).value;
   const Peaks x = peaks(solve(scene, scheme)).value;
   const double theta = pi / 402, missed = theta * theta / 2;
@@ -161,7 +162,7 @@ TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
     c.load = load;
     for (const Approach& approach : {scheme, Approach{}}) {
       c.half_width = half_width_of_radius(c, 0.46, 0.6, {traction, 0.5}, approach);
-      const Solution x = solve(scene_of(c, 0.6, 0.5), approach);
+      const Solution x = solve(scene_of(c, 0.6), {traction, 0.5}, approach);
       const double kappa = x.value.load_ratio, error = x.error ? x.error->load_ratio : 0;
       const double hertz = hertz_half_width(kappa * load, 0.46, c.shear_modulus, c.poisson);
       EXPECT_NEAR(c.half_width / hertz, 1, 1e-9 + error);
@@ -173,7 +174,7 @@ TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
 // Where the scheme diverges, its load ratio may be negative, and no half-width belongs to that. The
 // heat of this case is far beyond any, and seven nodes are too few.
 TEST(Solution, NoHalfWidthWithoutALoadRatio) {
-  const Scene scene{0.1, 0.03, 10, 1000};
+  const Driven scene{0.1, 0.03, 10, 1000};
   const PhysicalCase c = case_of(scene);
   const Approach coarse{Method::gauss_chebyshev, Formulation::printed, 7};
   ASSERT_LT(solve(scene, coarse).value.load_ratio, 0);
@@ -185,10 +186,10 @@ TEST(Solution, NoHalfWidthWithoutALoadRatio) {
 // The closed form for the border or the creep that belongs to a traction, against its formulas in
 // long double: the errors are within what is claimed, and what is given is repeated as it is.
 TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
-  for (const Scene& scene : random_scenes(40)) {
+  for (const Driven& scene : random_scenes(40)) {
     const Solution x = solve(scene, closed_form);
     const long double long_pi = std::acos(-1.0L), f = scene.friction;
-    const Solution by_border = solve(scene, closed_form, {border, x.value.stick_slip_border});
+    const Solution by_border = solve(scene, {border, x.value.stick_slip_border}, closed_form);
     const long double h = (1 - static_cast<long double>(x.value.stick_slip_border)) / 2;
     const auto error = [](double value, long double exact) {
       return static_cast<double>(std::abs(value - exact));
@@ -197,7 +198,7 @@ TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
     EXPECT_LE(error(by_border.value.creep, 2 * f / long_pi * h), by_border.error->creep);
     EXPECT_EQ(by_border.value.stick_slip_border, x.value.stick_slip_border);
     EXPECT_EQ(by_border.error->stick_slip_border, 0);
-    const Solution by_creep = solve(scene, closed_form, {creep, x.value.creep});
+    const Solution by_creep = solve(scene, {creep, x.value.creep}, closed_form);
     const long double k = long_pi * x.value.creep / (2 * f);
     EXPECT_LE(error(by_creep.value.traction, f * k * (2 - k)), by_creep.error->traction);
     EXPECT_LE(error(by_creep.value.stick_slip_border, 1 - 2 * k),
@@ -205,19 +206,19 @@ TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
     EXPECT_LE(error(by_creep.value.heat_integral, x.value.creep * k * (2 - k)),
               by_creep.error->heat_integral);
     EXPECT_EQ(by_creep.value.creep, x.value.creep);
-    EXPECT_EQ(by_creep.scene.traction, by_creep.value.traction);
   }
 }
 
 // With heat, ten times the estimated error covers the change to a far finer solution.
 TEST(Solution, CoupledErrorsCoverAFinerSolution) {
-  const Scene scene{0.6, 0.5, 100, 1};
-  for (const Given& given : {Given{traction, 0.5}, Given{creep, 0.2}, Given{border, -0.2}}) {
+  const Driven scene{0.6, 0.5, 100, 1};
+  for (const Prescribed& given :
+       {Prescribed{traction, 0.5}, Prescribed{creep, 0.2}, Prescribed{border, -0.2}}) {
     Approach approach;
     approach.tolerance = 1e-4;
-    const Solution x = solve(scene, approach, given);
+    const Solution x = solve(scene, given, approach);
     approach.tolerance = 1e-9;
-    const Solution fine = solve(scene, approach, given);
+    const Solution fine = solve(scene, given, approach);
     for (const auto field :
          {&Results::traction, &Results::stick_slip_border, &Results::creep, &Results::load_ratio,
           &Results::gamma0, &Results::eccentricity, &Results::heat_integral,
@@ -232,7 +233,7 @@ TEST(Solution, CoupledErrorsCoverAFinerSolution) {
 // of distances from the edges and the border, in which a rounding of s weighs as it weighs in the
 // distance.
 TEST(Solution, ProfilesOfBothMethodsAgreeWithoutHeat) {
-  const Scene scene{0.6, 0.5, 100, 0};
+  const Driven scene{0.6, 0.5, 100, 0};
   const Carter c = carter(0.6, 0.5);
   const Profile x = profile(solve(scene)), y = profile(solve(scene, closed_form));
   for (const Profile& z : {x, y})
@@ -258,7 +259,7 @@ TEST(Solution, ProfilesOfBothMethodsAgreeWithoutHeat) {
 TEST(Solution, PeaksKeepTheirDigitsAtBothEnds) {
   for (const double share : ends)
     for (const Method method : {Method::closed_form, Method::automatic, Method::coupled}) {
-      const Scene scene{0.6, 0.6 * share, 4360, 0};
+      const Driven scene{0.6, 0.6 * share, 4360, 0};
       const Peaks exact = exact_peaks(scene);
       const FoundPeaks x = peaks(solve(scene, {method}));
       const double most = method == Method::closed_form ? 2e-15 : 1e-6;
@@ -272,7 +273,7 @@ TEST(Solution, PeaksKeepTheirDigitsAtBothEnds) {
 // Where `auto` takes the closed form, its peaks are the closed form's, whatever is left out: that
 // is in their errors. Its profile has the closed form's tractions, to rounding, as above.
 TEST(Solution, PeaksOfTheClosedFormThatWasChosen) {
-  const Scene scene{0.6, 0.3, 100, 1e-4};
+  const Driven scene{0.6, 0.3, 100, 1e-4};
   const Approach loose{Method::automatic, Formulation::printed, 200, 1e-2};
   const Solution x = solve(scene, loose);
   ASSERT_EQ(x.model, "closed-form");
@@ -316,9 +317,9 @@ TEST(Solution, PeaksMayBeAnywhere) {
 // Fast scenes in which the error of the heat is too small for a peak, against a tighter solution.
 // The error counts the change between two grids, and so it is no less than that.
 TEST(Solution, PeakErrorsCountTheChangeOfTheGrid) {
-  for (const Scene& scene :
-       {Scene{1.01, 0.4226, 7.84e5, 3.298e-5}, Scene{0.696, 0.2467, 6.107e7, 1.168e-3},
-        Scene{1.33, 0.4569, 8.209e5, 4.077e-4}, Scene{1.38, 0.5873, 3.135e7, 1.509e-6}}) {
+  for (const Driven& scene :
+       {Driven{1.01, 0.4226, 7.84e5, 3.298e-5}, Driven{0.696, 0.2467, 6.107e7, 1.168e-3},
+        Driven{1.33, 0.4569, 8.209e5, 4.077e-4}, Driven{1.38, 0.5873, 3.135e7, 1.509e-6}}) {
     const Solution x = solve(scene, {Method::coupled});
     const auto& found = std::get<CoupledSolution>(x.found);
     const auto on = [&](int n) {
@@ -339,10 +340,10 @@ TEST(Solution, PeakErrorsCountTheChangeOfTheGrid) {
 // loose solution and a tight one at the same border have the same. Newton's method stops at 1e-10.
 TEST(Solution, AnotherGridHasItsOwnFlux) {
   for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
-    const Scene scene{0.6, 0.3, 300, 1};
+    const Driven scene{0.6, 0.3, 300, 1};
     const auto on_other = [&](double tolerance) {
       const Solution x =
-          solve(scene, {Method::coupled, formulation, 200, tolerance}, {border, 0.2});
+          solve(scene, {border, 0.2}, {Method::coupled, formulation, 200, tolerance});
       return smooth_tractions(scene, formulation, std::get<CoupledSolution>(x.found), 50);
     };
     const SmoothTractions loose = on_other(1e-2), tight = on_other(1e-8);
@@ -378,7 +379,7 @@ TEST(Solution, PeaksAreTheHighestOfManyTops) {
 // Of the grids that are looked at the finest counts, which is 480 at the most; but a lesser model
 // keeps its own peaks.
 TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
-  const Scene scene{0.6, 0.3, 1000, 1};
+  const Driven scene{0.6, 0.3, 1000, 1};
   int finest = 0;
   for (const Method method : {Method::coupled, Method::first_order})
     for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
@@ -423,7 +424,7 @@ TEST(Solution, PeakErrorsCoverATighterSolution) {
   for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
     for (const double share : ends)
       for (const auto& [peclet, heating] : {std::pair{4360.0, 0.0175}, std::pair{100.0, 1.0}}) {
-        const Scene scene{0.6, 0.6 * share, peclet, heating};
+        const Driven scene{0.6, 0.6 * share, peclet, heating};
         const FoundPeaks fine = fine_peaks(scene, formulation);
         for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
           const FoundPeaks x =
@@ -451,9 +452,10 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
     const double share = i % 2 == 0 ? near_end : 1 - near_end;
     const double tolerance = std::pow(10, -2 - i % 5);
     const Formulation sign = i % 4 < 2 ? Formulation::printed : Formulation::corrected;
-    const Scene drawn{friction, share * friction, log_uniform(0.1, 1e4), log_uniform(1e-6, 2)};
+    const Driven drawn{friction, share * friction, log_uniform(0.1, 1e4), log_uniform(1e-6, 2)};
     const PhysicalCase c = case_of(drawn);
-    const Scene scene = scene_of(c, friction, share * friction);
+    const auto [f, peclet, heating] = scene_of(c, friction);
+    const Driven scene{f, share * friction, peclet, heating};
     const FoundInSi x = in_si_units(solve(scene, {Method::automatic, sign, 200, tolerance}), c);
     const FoundInSi fine = in_si_units(solve(scene, {Method::coupled, sign, 200, 1e-9}), c);
     for (const auto field : all_in_si) {
@@ -475,13 +477,13 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
       PhysicalCase c = wheel_on_rail();
       c.load = load, c.expansion *= 10;
-      const Given given{traction, 0.5};
+      const Prescribed given{traction, 0.5};
       const Approach tight{Method::coupled, formulation, 200, 1e-9};
-      const FoundInSi exact = in_si_units(solve(scene_of(c, 0.6, 0.5), tight), c);
+      const FoundInSi exact = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, tight), c);
       for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
         const Approach loose{Method::automatic, formulation, 200, tolerance};
         c.half_width = half_width_of_radius(c, exact.value.radius, 0.6, given, loose);
-        const FoundInSi x = in_si_units(solve(scene_of(c, 0.6, 0.5), loose), c, true);
+        const FoundInSi x = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, loose), c, true);
         for (const auto field : all_in_si) {
           EXPECT_NEAR(x.value.*field, exact.value.*field, *x.error.*field + *exact.error.*field);
           EXPECT_GT(*x.error.*field, 0);
@@ -496,7 +498,7 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
 // its angle: any grid holds them. The tops are found to the square of the root of rounding error.
 TEST(Solution, PeaksOfTheCoupledSolutionAgreeWithoutHeat) {
   for (const double q : {0.1, 0.3, 0.5, 0.59}) {
-    const Scene scene{0.6, q, 100, 0};
+    const Driven scene{0.6, q, 100, 0};
     const Peaks exact = peaks(solve(scene, closed_form)).value;
     const Peaks x = peaks(solve(scene, {Method::coupled})).value;
     EXPECT_NEAR(x.pressure / exact.pressure, 1, 1e-12) << q;
@@ -510,7 +512,7 @@ TEST(Solution, PeaksOfTheCoupledSolutionAgreeWithoutHeat) {
 // last node before it or the first behind it is within pi/(n+1) of it, over which f p* changes by
 // its slope, at most f (2/pi) s / sqrt(1 - s^2).
 TEST(Solution, TractionOfTheSchemeIsLargestAtTheBorder) {
-  const Scene scene{0.6, 0.1, 100, 0};
+  const Driven scene{0.6, 0.1, 100, 0};
   const Peaks exact = exact_peaks(scene), x = peaks(solve(scene, scheme)).value;
   const double c0 = carter(0.6, 0.1).c0, far = c0 + pi / 201;
   EXPECT_NEAR(x.traction, exact.traction, 0.6 * 2 / pi * far / std::sqrt(1 - far * far) * pi / 201);
@@ -537,7 +539,7 @@ TEST(Solution, ErrorOfTheEccentricityIsThatOfItsParts) {
 TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
   const std::vector<double> at{-0.5, 0, 0.3, 0.7, 0.9, 1, 1.2};
   for (const double peclet : {100.0, 1e6}) {
-    const Scene scene{0.6, 0.5, peclet, 0.01};
+    const Driven scene{0.6, 0.5, peclet, 0.01};
     for (const double tolerance : {1e-4, 1e-8, 1e-11})
       for (const Method method : {Method::closed_form, Method::automatic}) {
         const Solution x = solve(scene, {method, Formulation::corrected, 200, tolerance});
@@ -553,7 +555,7 @@ TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
 }
 
 TEST(Solution, RefusesWhatIsOutOfRange) {
-  const Scene scene{0.6, 0.5, 100, 0};
+  const Driven scene{0.6, 0.5, 100, 0};
   for (const int nodes : {-1, 0, 2, 5001}) {
     Approach approach = scheme;
     approach.nodes = nodes;
@@ -564,7 +566,7 @@ TEST(Solution, RefusesWhatIsOutOfRange) {
     approach.tolerance = tolerance;
     EXPECT_THROW(solve(scene, approach), std::invalid_argument) << tolerance;
   }
-  EXPECT_THROW(solve(scene, scheme, {creep, 0.1}), std::invalid_argument);
+  EXPECT_THROW(solve(scene, {creep, 0.1}, scheme), std::invalid_argument);
   EXPECT_THROW(profile(solve(scene, scheme)), std::invalid_argument);
   EXPECT_THROW(solve({0.6, 0.6, 100, 0}, closed_form), std::invalid_argument);
   EXPECT_THROW(temperature_curve(solve(scene, scheme), {0}, 0.1), std::invalid_argument);

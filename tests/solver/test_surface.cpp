@@ -90,8 +90,8 @@ TEST(Surface, ManyPointsHaveTheErrorOfFew) {
 TEST(Surface, CoupledFluxAgreesWithAdaptiveQuadrature) {
   for (const double peclet : {1.0, 100.0, 4360.0})
     for (const double heating : {0.0175, 0.5}) {
-      const auto x = solve_coupled({0.6, 0.5, peclet, heating}, thermoroll::Formulation::corrected,
-                                   1e-6, {thermoroll::traction, 0.5});
+      const auto x = solve_coupled({0.6, peclet, heating}, thermoroll::Formulation::corrected, 1e-6,
+                                   {thermoroll::traction, 0.5});
       const Eigen::ArrayXd s = places(x.value(thermoroll::border));
       SurfaceCurve curve = surface_curve(smooth_flux(x), peclet, s, 1e-8);
       curve.error += x.error(thermoroll::hottest);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "reference.hpp"
 #include "studies/cached_scheme.hpp"
 #include "thermoroll/carter.hpp"
@@ -18,15 +19,14 @@ using thermoroll::Formulation;
 using thermoroll::NodeKernel;
 using thermoroll::PrintedOptions;
 using thermoroll::PrintedSolution;
-using thermoroll::Scene;
 
 constexpr double friction = 0.6;
 
-PrintedSolution with_means(const Scene& scene, int nodes,
+PrintedSolution with_means(const Driven& scene, int nodes,
                            Formulation formulation = Formulation::corrected) {
   PrintedOptions options;
   options.nodes = nodes;
-  return thermoroll::solve_thrifty(scene, formulation, NodeKernel::mean, options);
+  return thermoroll::solve_thrifty(scene, scene.traction, formulation, NodeKernel::mean, options);
 }
 
 }  // namespace
@@ -35,17 +35,17 @@ PrintedSolution with_means(const Scene& scene, int nodes,
 // size; that is 1e-13 of the thermal terms, which are below one here, and the systems make up to n
 // times as much of it. The step counts must be the same.
 TEST(ThriftyScheme, FindsWhatThePublishedSchemeFinds) {
-  for (const Scene& scene : {Scene{friction, 0.5, 1, 0.3}, Scene{friction, 0.2, 100, 0.0175},
-                             Scene{friction, 0.5, 100, 1}, Scene{0.3, 0.25, 4360, 0.0175},
-                             Scene{friction, 0.59, 20000, 0.1}, Scene{friction, 0.5, 100, 0}})
+  for (const Driven& scene : {Driven{friction, 0.5, 1, 0.3}, Driven{friction, 0.2, 100, 0.0175},
+                              Driven{friction, 0.5, 100, 1}, Driven{0.3, 0.25, 4360, 0.0175},
+                              Driven{friction, 0.59, 20000, 0.1}, Driven{friction, 0.5, 100, 0}})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
       for (const int n : {3, 25, 60}) {
         SCOPED_TRACE(::testing::Message() << "Pe = " << scene.peclet << ", n = " << n);
         PrintedOptions options;
         options.nodes = n;
-        const PrintedSolution x = thermoroll::solve_printed(scene, formulation, options);
-        const PrintedSolution y =
-            thermoroll::solve_thrifty(scene, formulation, NodeKernel::sample, options);
+        const PrintedSolution x = solve_printed(scene, formulation, options);
+        const PrintedSolution y = thermoroll::solve_thrifty(scene, scene.traction, formulation,
+                                                            NodeKernel::sample, options);
         ASSERT_TRUE(x.converged);
         EXPECT_TRUE(y.converged);
         EXPECT_EQ(y.outer_iterations, x.outer_iterations);
@@ -76,7 +76,7 @@ TEST(ThriftyScheme, MeansConvergeAtAnySpeed) {
   for (const double peclet : {10.0, 100.0, 4360.0, 1e5})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
       SCOPED_TRACE(::testing::Message() << "Pe = " << peclet);
-      const Scene scene{friction, 0.5, peclet, 0.1};
+      const Driven scene{friction, 0.5, peclet, 0.1};
       const CoupledSolution exact =
           thermoroll::solve_coupled(scene, formulation, 1e-9, {thermoroll::traction, 0.5});
       const auto largest = [&](std::initializer_list<int> nodes) {
@@ -107,12 +107,12 @@ TEST(ThriftyScheme, MeansConvergeAtAnySpeed) {
 // Where the kernel is wide and the heat smooth across a hat, mean and sample agree to the square of
 // the hat's width, Pe h << 1.
 TEST(ThriftyScheme, MeansAreSamplesWhereTheKernelIsWide) {
-  const Scene scene{friction, 0.5, 0.1, 0.5};
+  const Driven scene{friction, 0.5, 0.1, 0.5};
   PrintedOptions options;
   options.nodes = 100;
   const PrintedSolution x = with_means(scene, 100);
-  const PrintedSolution y =
-      thermoroll::solve_thrifty(scene, Formulation::corrected, NodeKernel::sample, options);
+  const PrintedSolution y = thermoroll::solve_thrifty(scene, scene.traction, Formulation::corrected,
+                                                      NodeKernel::sample, options);
   // The step of N1 at zero leaves half a node's share of a thermal term of size f Pe H.
   const double step = friction * scene.peclet * scene.heating * thermoroll::pi / 100;
   EXPECT_TRUE(close(x.load_ratio, y.load_ratio, step));
@@ -132,15 +132,16 @@ TEST(ThriftyScheme, WithoutHeatMeansChangeNothing) {
 }
 
 TEST(ThriftyScheme, RefusesWhatMakesNoSense) {
-  const Scene scene{friction, 0.5, 100, 0.0175};
+  const Driven scene{friction, 0.5, 100, 0.0175};
   PrintedOptions options;
   options.nodes = 2;
-  EXPECT_THROW(thermoroll::solve_thrifty(scene, Formulation::corrected, NodeKernel::mean, options),
+  EXPECT_THROW(thermoroll::solve_thrifty(scene, scene.traction, Formulation::corrected,
+                                         NodeKernel::mean, options),
                std::invalid_argument);
   options = {};
   options.heaviside_at_zero = 0.5;
-  EXPECT_THROW(
-      thermoroll::solve_thrifty(scene, Formulation::corrected, NodeKernel::sample, options),
-      std::invalid_argument);
+  EXPECT_THROW(thermoroll::solve_thrifty(scene, scene.traction, Formulation::corrected,
+                                         NodeKernel::sample, options),
+               std::invalid_argument);
   EXPECT_THROW(with_means({friction, 0.7, 100, 0.0175}, 50), std::invalid_argument);
 }

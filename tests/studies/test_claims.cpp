@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "first_order.hpp"
 #include "reference.hpp"
 #include "studies/claims.hpp"
@@ -54,8 +55,8 @@ TEST(Claims, FirstOrderEffectIsTheLimitOfTheScheme) {
     const reference::FirstOrder finite = reference::first_order(traction, 100);
     thermoroll::PrintedOptions options;
     options.nodes = 400;
-    const thermoroll::PrintedSolution x = thermoroll::solve_printed(
-        {friction, traction, 100, heating}, thermoroll::Formulation::printed, options);
+    const thermoroll::PrintedSolution x = solve_printed({friction, traction, 100, heating},
+                                                        thermoroll::Formulation::printed, options);
     EXPECT_TRUE(close((1 - x.load_ratio) / scale / finite.load_loss, 1, 0.04)) << traction;
     EXPECT_TRUE(close(x.gamma0 / scale / finite.gamma0, 1, 0.04)) << traction;
   }
@@ -201,7 +202,7 @@ TEST(Claims, RecordIsThatOfTheRuns) {
                              .temperature.value;
     for (const int nodes : {50, 200}) {
       options.nodes = nodes;
-      const thermoroll::PrintedSolution x = thermoroll::solve_printed(
+      const thermoroll::PrintedSolution x = solve_printed(
           {friction, traction, 5000, heating}, thermoroll::Formulation::printed, options);
       EXPECT_LE(x.inner_iterations, record.inner);
       EXPECT_LE(x.outer_iterations, record.outer);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "first_order.hpp"
 #include "reference.hpp"
 #include "studies/asymptotics.hpp"
@@ -160,8 +161,8 @@ TEST(Resolution, FirstOrderIsWhatTheSchemeDoes) {
   const Carter c = thermoroll::carter(0.6, 0.5);
   for (const double peclet : {20.0, 100.0, 1000.0})
     for (const int nodes : {50, 100, 200}) {
-      const thermoroll::Scene scene{0.6, 0.5, peclet, 0.0175};
-      const PrintedSolution x = thermoroll::solve_printed(scene, Formulation::printed, {nodes});
+      const Driven scene{0.6, 0.5, peclet, 0.0175};
+      const PrintedSolution x = solve_printed(scene, Formulation::printed, {nodes});
       const CoupledSolution y =
           thermoroll::solve_coupled(scene, Formulation::printed, 1e-8, {thermoroll::traction, 0.5});
       const double seen = (1 - x.load_ratio) / (1 - y.value(thermoroll::load_ratio));
@@ -174,7 +175,7 @@ TEST(Resolution, FirstOrderIsWhatTheSchemeDoes) {
 namespace {
 
 PrintedSolution cycling(int nodes, Formulation formulation) {
-  return thermoroll::solve_printed({0.6, 0.5, 100, 0.5}, formulation, {nodes});
+  return solve_printed({0.6, 0.5, 100, 0.5}, formulation, {nodes});
 }
 
 }  // namespace
@@ -202,7 +203,7 @@ TEST(Resolution, ANodeAtTheBorderCyclesForEver) {
 // second difference is of the second order, 1e-6, where the scheme's jump is 3e-4.
 TEST(Resolution, MovingNodesKnowNoJumps) {
   const auto traction = [](double c0) {
-    return thermoroll::solve_coupled({0.6, 0, 100, 0.5}, Formulation::corrected, 1e-9,
+    return thermoroll::solve_coupled({0.6, 100, 0.5}, Formulation::corrected, 1e-9,
                                      {thermoroll::border, c0})
         .value(thermoroll::traction);
   };
@@ -219,7 +220,7 @@ constexpr Formulation both[] = {Formulation::printed, Formulation::corrected};
 // The problem of the maps of Iteration at H = 1: f = 0.6, Carter's border at Q* = 0.5.
 FluxMap unit_map(double peclet, Formulation formulation, int n = 64) {
   const double c0 = thermoroll::carter(0.6, 0.5).c0;
-  return thermoroll::flux_map({0.6, 0, peclet, 1}, formulation, n, c0);
+  return thermoroll::flux_map({0.6, peclet, 1}, formulation, n, c0);
 }
 
 // The solution at f Pe H = strength, led there; fails the test if it is not reached.
@@ -475,12 +476,11 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
 // tolerance of 1e-6 for the border; with any, they have the signs of its tractions and velocities.
 TEST(Admissibility, OfTheScheme) {
   const double f = 0.6;
-  const Factors plain =
-      factors(thermoroll::solve_printed({f, 0.5, 100, 0}, Formulation::printed), f);
+  const Factors plain = factors(solve_printed({f, 0.5, 100, 0}, Formulation::printed), f);
   EXPECT_LT((plain.pressure - 2 / thermoroll::pi).abs().maxCoeff(), 1e-9);
   EXPECT_LT((plain.slip - 2 * f / thermoroll::pi).abs().maxCoeff(), 1e-4);
   EXPECT_TRUE(thermoroll::violations(plain).empty());
-  const auto x = thermoroll::solve_printed({f, 0.5, 100, 1}, Formulation::corrected, {50});
+  const auto x = solve_printed({f, 0.5, 100, 1}, Formulation::corrected, {50});
   const Factors hot = factors(x, f);
   for (Eigen::Index i = 0; i < hot.s.size(); ++i) {
     const double s = hot.s(i), p = thermoroll::printed_pressure(x, s);
@@ -497,7 +497,7 @@ TEST(Admissibility, FollowsFromTheWayToTheSolution) {
   for (const double peclet : {0.1, 10.0, 1e4})
     for (const double heating : {0.1, 1.0, 10.0})
       for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
-        EXPECT_TRUE(thermoroll::solve_coupled({0.6, 0.5, peclet, heating}, formulation, 1e-3,
+        EXPECT_TRUE(thermoroll::solve_coupled({0.6, peclet, heating}, formulation, 1e-3,
                                               {thermoroll::traction, 0.5})
                         .violations.empty())
             << peclet << ' ' << heating;
@@ -510,7 +510,7 @@ TEST(Ends, FastAndSlowTemperature) {
   const thermoroll::HeatFlux flux = thermoroll::carter_flux(thermoroll::carter(0.6, 0.5));
   const double fast = thermoroll::hottest_when_fast(flux);
   const auto solver = [](double peclet) {
-    return thermoroll::solve_coupled({0.6, 0, peclet, 0}, Formulation::corrected, 1e-9,
+    return thermoroll::solve_coupled({0.6, peclet, 0}, Formulation::corrected, 1e-9,
                                      {thermoroll::traction, 0.5})
         .value(thermoroll::hottest);
   };
@@ -537,10 +537,10 @@ TEST(Ends, LittleTraction) {
         for (const double share : {1e-2, 1e-3, 1e-4}) {
           SCOPED_TRACE(::testing::Message() << "Pe = " << peclet << ", H = " << heating);
           const double q = 0.6 * share;
-          const thermoroll::Scene scene{0.6, q, peclet, heating};
+          const Driven scene{0.6, q, peclet, heating};
           const CoupledSolution x =
               thermoroll::solve_coupled(scene, formulation, 1e-9, {thermoroll::traction, q});
-          const double law = thermoroll::creep_of_little_traction(scene);
+          const double law = thermoroll::creep_of_little_traction(scene, q);
           const double change = std::abs(law / thermoroll::carter(0.6, q).creep - 1);
           const double next = 3 * share * change + 2e-9;
           EXPECT_TRUE(close(x.value(thermoroll::creep) / law, 1, next)) << share;
@@ -556,7 +556,7 @@ TEST(Ends, NearlyFullTraction) {
   for (const Formulation formulation : both)
     for (const double peclet : {1.0, 100.0})
       for (const double left : {1e-2, 1e-4, 1e-6}) {
-        const thermoroll::Scene scene{0.6, 0.6 * (1 - left), peclet, 0.3};
+        const Driven scene{0.6, 0.6 * (1 - left), peclet, 0.3};
         const CoupledSolution x = thermoroll::solve_coupled(scene, formulation, 1e-8,
                                                             {thermoroll::traction, scene.traction});
         const thermoroll::Profile profile = thermoroll::profile(scene, formulation, x);
@@ -581,8 +581,8 @@ TEST(Ends, EveryCornerIsSolvedOrRefused) {
                                               << ", H = " << heating << ", Q*/f = " << share);
             const double q = f * share, cold = thermoroll::carter(f, q).creep;
             try {
-              const CoupledSolution x = thermoroll::solve_coupled(
-                  {f, 0, peclet, heating}, formulation, 1e-3, {thermoroll::traction, q});
+              const CoupledSolution x = thermoroll::solve_coupled({f, peclet, heating}, formulation,
+                                                                  1e-3, {thermoroll::traction, q});
               EXPECT_TRUE(x.value.allFinite() && x.error.allFinite());
               EXPECT_TRUE(x.violations.empty());
               if (f * heating > 2e-3) continue;

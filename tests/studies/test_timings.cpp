@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "driven.hpp"
 #include "studies/comparison.hpp"
 #include "studies/timings.hpp"
 #include "thermoroll/coupled.hpp"
@@ -152,7 +153,7 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
     return Found{};
   };
   const Regime& steel = thermoroll::regimes[0];
-  const thermoroll::Scene scene{0.6, 0.5, 4360, 0.0175};
+  const Driven scene{0.6, 0.5, 4360, 0.0175};
   const auto sign = thermoroll::Formulation::corrected;
   const auto coupled = thermoroll::solve_coupled(scene, sign, 1e-4, {thermoroll::traction, 0.5});
   const Found found = find(steel, "coupled/tol:1e-04/Pe:4360/H:0.0175");
@@ -160,7 +161,7 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   EXPECT_EQ(found.hottest, coupled.value(thermoroll::hottest));
   EXPECT_EQ(found.creep, coupled.value(thermoroll::creep));
 
-  const auto scheme = thermoroll::solve_printed(scene, sign, {25});
+  const auto scheme = solve_printed(scene, sign, {25});
   const Found described = find(steel, "gauss_chebyshev/n:25/Pe:4360/H:0.0175");
   EXPECT_EQ(described.load_ratio, scheme.load_ratio);
   EXPECT_EQ(described.creep, scheme.creep);

@@ -30,7 +30,7 @@ enum Quantity {
 using Values = Eigen::Array<double, quantities, 1>;
 
 /// What is prescribed beside f, Pe and H: traction, creep or border, and its value.
-struct Given {
+struct Prescribed {
   Quantity quantity;
   double value;
 };
@@ -57,24 +57,24 @@ Values carter_slope(const Carter& c, Quantity by);
 
 /// What rounding of the given quantity changes in the others, at most, each relative to its scale;
 /// slope holds their derivatives with respect to it.
-double rounding(const Given& given, const Values& slope, const Values& scale);
+double rounding(const Prescribed& given, const Values& slope, const Values& scale);
 
-/// Refuse, by std::invalid_argument, data out of range and a given quantity that is not traction,
-/// creep or border, or not in its range; scene.traction is not used.
-void check_given(Scene scene, const Given& given);
+/// Refuse, by std::invalid_argument, data out of range and a prescribed quantity that is not
+/// traction, creep or border, or not in its range; the scene is checked first, if there is one.
+void check(double friction, const Prescribed& given);
+void check(const Scene& scene, const Prescribed& given);
 
 /// Carter's closed form for what is given; std::invalid_argument where check_given refuses it, or
 /// the creep is one at which the whole contact slips.
-Carter carter_given(double friction, const Given& given);
+Carter carter_given(double friction, const Prescribed& given);
 
-/// Solve the coupled problem for what is given (traction, creep or border; scene.traction is not
-/// used) until the estimated error of every quantity is below tolerance >= 1e-11: absolute for
-/// border, slip_length, traction, load_ratio, gamma0, relative for creep_constant, creep, heat and
-/// hottest; that of hottest_at is the length of the slip zone times the root of it. Throws
-/// std::invalid_argument for data out of range or a creep at which the whole contact slips,
-/// std::runtime_error where no solution is found or the tolerance is not met.
+/// Solve the coupled problem for what is given until the estimated error of every quantity is below
+/// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0, relative for
+/// creep_constant, creep, heat and hottest; that of hottest_at is the length of the slip zone times
+/// the root of it. Throws std::invalid_argument for data out of range or a creep at which the whole
+/// contact slips, std::runtime_error where no solution is found or the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
-                              const Given& given);
+                              const Prescribed& given);
 
 /// The discrete problem h = sigma p-hat v-hat, p-hat = 2/pi + p h, v-hat = 2f/pi + v h, for the
 /// values h at the slip nodes s; sigma = 1 + s. Dimensionless; p, v, kappa are proportional to H.
@@ -85,8 +85,7 @@ struct FluxMap {
   Eigen::RowVectorXd kappa;  ///< the load ratio is 1 + kappa h
 };
 
-/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0; the
-/// traction of the scene is not used.
+/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0.
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 
 /// The heat flux v* p* of a solution.

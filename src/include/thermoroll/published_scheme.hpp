@@ -55,8 +55,9 @@ struct PrintedSolution {
   bool converged = false;        ///< whether both iterations settled
 };
 
-/// Run the scheme. Throws std::invalid_argument for a scene or a node count out of range.
-PrintedSolution solve_printed(const Scene& scene, Formulation formulation,
+/// Run the scheme for a traction Q*, 0 < Q* < f. Throws std::invalid_argument for a scene, a
+/// traction or a node count out of range.
+PrintedSolution solve_printed(const Scene& scene, double traction, Formulation formulation,
                               const PrintedOptions& options = {});
 
 /// w_k v*(t_k) at the hot nodes, those with t_k > c0, zero at the others.

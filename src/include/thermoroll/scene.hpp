@@ -7,10 +7,10 @@ namespace thermoroll {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// A rolling-contact case in the four dimensionless groups of @eq:groups.
+/// A rolling contact, in three of the dimensionless groups of @eq:groups; the fourth, the traction,
+/// is prescribed or found.
 struct Scene {
   double friction;  ///< f > 0
-  double traction;  ///< Q* = Q/P, 0 < Q* < f (at f the whole contact slips)
   double peclet;    ///< Pe = V a / 2k > 0
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
 };
@@ -37,7 +37,7 @@ struct Units {
 };
 
 /// The dimensionless groups of a case, @eq:groups.
-Scene scene_of(const PhysicalCase& c, double friction, double traction);
+Scene scene_of(const PhysicalCase& c, double friction);
 
 /// What one dimensionless unit is worth in this case.
 Units units_of(const PhysicalCase& c, double friction);
@@ -51,6 +51,7 @@ PhysicalCase wheel_on_rail();
 /// Throw std::invalid_argument naming the value and what is allowed, unless the data make sense.
 void check(const Scene& scene);
 void check(const PhysicalCase& c);
+void check_but_half_width(const PhysicalCase& c);
 
 /// Throw std::invalid_argument "name = value is not allowed: it must be range", unless allowed
 /// and value is finite.

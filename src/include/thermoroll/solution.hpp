@@ -53,12 +53,11 @@ struct Solution {
   std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one
 };
 
-/// Solve the scene for what is given (scene.traction is not used then), or for its traction.
+/// Solve the scene for what is prescribed.
 /// Throws std::invalid_argument for data out of range or a quantity that the method cannot start
 /// from, and std::runtime_error where the coupled solver finds no solution or an integral is not
 /// resolved; an iteration of the scheme that does not converge is told by `converged`.
-Solution solve(const Scene& scene, const Approach& approach, const Given& given);
-Solution solve(const Scene& scene, const Approach& approach = {});
+Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach = {});
 
 /// Largest values over the contact; dimensionless.
 struct Peaks {
@@ -118,7 +117,7 @@ void require_contact(const Solution& x);
 
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
 /// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.
-double half_width_of_radius(PhysicalCase c, double radius, double friction, const Given& given,
+double half_width_of_radius(PhysicalCase c, double radius, double friction, const Prescribed& given,
                             const Approach& approach);
 
 /// T* at one point, with its estimated absolute error where the method has one.

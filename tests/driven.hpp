@@ -1,0 +1,20 @@
+// A scene and the traction that drives it, for the tests' lists of cases.
+#pragma once
+
+#include "thermoroll/solution.hpp"
+
+struct Driven {
+  double friction, traction, peclet, heating;
+  operator thermoroll::Scene() const { return {friction, peclet, heating}; }
+  operator thermoroll::Prescribed() const { return {thermoroll::traction, traction}; }
+};
+
+inline thermoroll::Solution solve(const Driven& x, const thermoroll::Approach& approach = {}) {
+  return thermoroll::solve(x, x, approach);
+}
+
+inline thermoroll::PrintedSolution solve_printed(const Driven& x,
+                                                 thermoroll::Formulation formulation,
+                                                 const thermoroll::PrintedOptions& options = {}) {
+  return thermoroll::solve_printed(x, x.traction, formulation, options);
+}
