@@ -99,7 +99,10 @@ void values_on_cycle(nlohmann::ordered_json& v) {
   const double node = undecided.grid.t(nearest);
   double hot = 1, cold = 0;  // of the last three steps, the tractions nearest to the gap
   for (auto step = undecided.steps.rbegin(); step != undecided.steps.rbegin() + 3; ++step)
-    step->c0 < node ? hot = std::min(hot, step->traction) : cold = std::max(cold, step->traction);
+    if (step->c0 < node)
+      hot = std::min(hot, step->traction);
+    else
+      cold = std::max(cold, step->traction);
   int struck = 0;
   for (int nodes = 20; nodes < 120; ++nodes) struck += cycling(nodes).converged ? 0 : 1;
   v["cycle_node"] = fixed(node, 4);
@@ -208,7 +211,10 @@ void iteration_steps(std::ostream& out) {
       const FluxMap map = heated(unit, heating);
       Eigen::VectorXd h = carter_start(map), x = h;
       const int led = follow(unit, 1e-3 / peclet, heating, h);
-      const auto steps = [&](auto iterate) { return x = carter_start(map), cell(iterate()); };
+      const auto steps = [&](auto iterate) {
+        x = carter_start(map);
+        return cell(iterate());
+      };
       row(out, peclet, f_h, fixed(contraction(map, h), 2), steps([&] { return picard(map, x); }),
           steps([&] { return picard(map, x, 0.5); }), steps([&] { return anderson(map, x); }),
           steps([&] { return newton(map, x); }), cell(led));
@@ -253,7 +259,8 @@ void iteration(std::ostream& out, Formulation formulation) {
         if (way.leads_to(heating)) {
           const FluxMap map = heated(way.unit, heating);
           method = first_to_converge(map, way.h);
-          full = contraction(map, way.h), half = contraction(map, way.h, 0.5);
+          full = contraction(map, way.h);
+          half = contraction(map, way.h, 0.5);
         }
       }
       row(out, peclet, strength, method, fixed(full, 4), fixed(half, 4), scheme);
