@@ -594,9 +594,10 @@ local function chunk_box(piece)
       step(chunk.pieces[piece.part - 1], "↑", "previous part"),
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
-  return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
+  local class = piece.grows and piece.part > 1 and "chunk more" or "chunk"
+  return raw(string.format('<div class="%s" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), piece.head, parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', class, escape(anchor(piece)), piece.head, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 
