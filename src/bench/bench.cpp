@@ -41,36 +41,38 @@ constexpr Formulation sign = Formulation::corrected;
 
 /// Both sides of the equations on the last grid, for an h of so many terms.
 struct LastGrid {
-  Rules rules{60};
   CoupledSolution x = solve_coupled(steel, sign, 1e-8, {traction, 0.5});
   SmoothFlux flux = smooth_flux(x);
-  Zones z = zones({flux.slip, flux.stick}, rules.slip, rules.stick);
-  ThermalSides sides(Eigen::Index terms) const {
-    return thermal_sides(steel, sign, z, terms, rules.ray);
+  ContactGrid grid = contact_grid(steel, sign, {flux.slip, flux.stick}, 60);
+  ThermalTerms thermal(Eigen::Index terms) const {
+    return thermal_terms(steel, sign, grid.nodes, terms, grid.rules.ray);
   }
 };
 
 void part_rays(benchmark::State& state) {
   const LastGrid at;
-  for (auto _ : state) benchmark::DoNotOptimize(at.sides(1));
+  for (auto _ : state) benchmark::DoNotOptimize(at.thermal(1));
 }
 
 void part_sides(benchmark::State& state) {
   const LastGrid at;
-  for (auto _ : state) benchmark::DoNotOptimize(at.sides(60));
+  for (auto _ : state) benchmark::DoNotOptimize(at.thermal(60));
 }
 
 void part_inverses(benchmark::State& state) {
   const LastGrid at;
-  const ThermalSides sides = at.sides(60);
-  for (auto _ : state) benchmark::DoNotOptimize(invert(at.z, sides, steel.friction));
+  const ContactGrid& grid = at.grid;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(traction_operators(grid.nodes, grid.thermal, steel.friction));
 }
 
 void part_hottest(benchmark::State& state) {
   const LastGrid at;
-  const Summit top = climb(at.flux.slip, steel.peclet, at.flux.h, {}, at.rules.fine);
+  const HottestPoint top =
+      find_hottest(at.flux.slip, steel.peclet, at.flux.h, {}, at.grid.rules.fine);
   for (auto _ : state)
-    benchmark::DoNotOptimize(climb(at.flux.slip, steel.peclet, at.flux.h, top, at.rules.fine));
+    benchmark::DoNotOptimize(
+        find_hottest(at.flux.slip, steel.peclet, at.flux.h, top, at.grid.rules.fine));
 }
 
 void temperature_curve(benchmark::State& state, const SmoothFlux& flux) {

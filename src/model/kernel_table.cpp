@@ -40,7 +40,7 @@ struct Table {
     const std::uint64_t inside = bits & ((std::uint64_t{1} << shift) - 1);
     const double u = static_cast<double>(inside) * (2.0 / (std::uint64_t{1} << shift)) - 1;
     const double* c = &coefficients[(cell * (degree + 1) + degree) * 4];
-    Four sum, next;
+    Pack4 sum, next;
     load(c, sum);
     for (int i = 0; i < degree; ++i) load(c -= 4, next), sum = sum * u + next;
     return {sum[0], sum[1], sum[2], sum[3]};
@@ -76,7 +76,7 @@ const Table& table() {
 
 }  // namespace
 
-TWICE void fast_kernels(std::size_t n, const double* distance, Kernels* k) {
+THERMOROLL_CLONES void fast_kernels(std::size_t n, const double* distance, Kernels* k) {
   const Table& look_up = table();
   for (std::size_t i = 0; i < n; ++i) k[i] = look_up(distance[i]);
 }

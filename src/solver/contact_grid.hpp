@@ -17,28 +17,28 @@ constexpr int most_unknowns = 480;
 
 /// Gauss-Legendre nodes x and weights w on (-1, 1), and the values p of P_0 ... P_{n-1} at them;
 /// for rays, rho = (1 + x) / 2 and its cube.
-struct Rule {
+struct GaussLegendre {
   Eigen::ArrayXd x, w, rho, cube;
   Eigen::MatrixXd p;
 };
 
 /// The rule of n nodes; made once per thread.
-const Rule& gauss_legendre(int n);
+const GaussLegendre& gauss_legendre(int n);
 
 /// P_0 ... P_{n-1} at x, a column each.
 Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
 
 /// From values at the nodes to Legendre coefficients.
-Eigen::MatrixXd to_legendre(const Rule& rule);
+Eigen::MatrixXd to_legendre(const GaussLegendre& rule);
 
 /// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2.
-struct Border {
+struct ZoneLengths {
   double slip, stick;
   double c0() const { return (stick - slip) / 2; }
 };
 
 /// The rule of n nodes or a few more, to be taken so many at a time.
-inline const Rule& taken_by(int group, int n) {
+inline const GaussLegendre& rounded_up(int group, int n) {
   return gauss_legendre((n + group - 1) / group * group);
 }
 
@@ -47,13 +47,13 @@ inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(la
 
 /// By how many decades the slip zone is shorter than a hundredth of the stick zone; at most 20, as
 /// the quotient of a length next to zero is infinite.
-inline double decades_shorter(const Border& at) {
+inline double decades_shorter(const ZoneLengths& at) {
   return std::clamp(std::log10(at.stick / at.slip) - 2, 0.0, 20.0);
 }
 
 /// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids
 /// are those of strong heating, which needs G as fine as h.
-inline int stick_nodes(int n, const Border& at) {
+inline int stick_nodes(int n, const ZoneLengths& at) {
   return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades_shorter(at));
 }
 
@@ -64,32 +64,35 @@ inline int temperature_nodes(int n, double lambda) {
 
 /// The rules of a grid of n unknowns: nodes of both zones, of rays, which strong heating needs as
 /// fine as h, and of rays for temperatures.
-struct Rules {
-  explicit Rules(int n, const Border& at = {1, 1}, double peclet = 1)
+struct GridRules {
+  explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(stick_nodes(n, at))),
-        ray(taken_by(4, n > 64 ? n : 16 + (n + 2) / 3)),
-        fine(taken_by(8, temperature_nodes(n, at.slip * peclet))) {}
-  const Rule &slip, &stick, &ray, &fine;
+        ray(rounded_up(4, n > 64 ? n : 16 + (n + 2) / 3)),
+        fine(rounded_up(8, temperature_nodes(n, at.slip * peclet))) {}
+  const GaussLegendre &slip, &stick, &ray, &fine;
 };
 
 /// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].
 template <class Distance>
-auto rise(const Distance& eta) {
+auto slip_cubic(const Distance& eta) {
   return eta * (3 + (12 - 4 * eta) * eta) / 22;
 }
 
 /// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
-struct Place {
-  Place(double left, double right)
-      : y((left - right) / 2), u(rise(left)), v(rise(right)), du((3 + 12 * left * right) / 22) {}
+struct SlipPoint {
+  SlipPoint(double left, double right)
+      : y((left - right) / 2),
+        u(slip_cubic(left)),
+        v(slip_cubic(right)),
+        du((3 + 12 * left * right) / 22) {}
   double y, u, v, du;  // du: the derivative of u by y
   double t() const { return u * u * (1 + 2 * v); }
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
 
 /// t(b) - t(a) for b.y - a.y = step, without subtracting what is nearly equal.
-inline double apart(const Place& a, const Place& b, double step) {
+inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
   const double du = step * (15 - 4 * (a.y * a.y + a.y * b.y + b.y * b.y)) / 22;
   const bool left = a.u + b.u < 1;
   const double x = left ? a.u : a.v, z = left ? b.u : b.v;
@@ -99,76 +102,92 @@ inline double apart(const Place& a, const Place& b, double step) {
 /// The distance 1 + y at which t is the given share, in [0, 1/2].
 double distance_of_share(double t);
 
-/// The nodes of both zones.
-struct Zones {
-  Border border;
-  Eigen::ArrayXd y, t, s;     // slip zone
-  Eigen::ArrayXd d, r;        // stick zone: distances from the border and positions
-  Eigen::ArrayXd over_w;      // weights of dr / w at the stick nodes
-  Eigen::VectorXd over_root;  // weights of dt / sqrt(1 - t^2) at all nodes, the slip nodes first
+/// The nodes of both zones, n on the slip zone and m on the stick zone.
+struct Nodes {
+  ZoneLengths zones;
+  Eigen::ArrayXd y, t, s, sigma;  // slip zone (n); sigma = 1 + s
+  Eigen::ArrayXd d, r;            // stick zone (m): distances from the border and positions
+  Eigen::ArrayXd over_w;          // weights of dr / w at the stick nodes
+  Eigen::VectorXd over_root;  // weights of dt / sqrt(1 - t^2) at all n + m, the slip nodes first
   Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
 };
 
 /// The ten Legendre coefficients of Carter's h.
-Eigen::VectorXd carter_h(const Border& at, double friction);
+Eigen::VectorXd carter_h(const ZoneLengths& at, double friction);
 
 /// The nodes of both zones for a border.
-Zones zones(const Border& border, const Rule& slip, const Rule& stick);
+Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick);
 
 /// F, dF/ds and G of @eq:thermal-sides at the slip nodes, then (but for dF/ds) the stick nodes, as
 /// matrices on the Legendre coefficients of h.
-struct ThermalSides {
+struct ThermalTerms {
   Eigen::MatrixXd f, df, g;
 };
 
 /// These matrices on a grid, for an h of so many terms, by rays of a multiple of four nodes.
-ThermalSides thermal_sides(const Scene& scene, Formulation formulation, const Zones& z,
-                           Eigen::Index terms, const Rule& rule);
+ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z,
+                           Eigen::Index terms, const GaussLegendre& rule);
 
-/// At the slip nodes p-hat = 2/pi + p h and v-hat = 2f/pi + v h; kappa = 1 + kappa h and
-/// gamma0 = gamma0 h.
-struct Inverses {
+/// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa = 1 + kappa h, gamma0 = gamma0
+/// h. The matrices have n rows and a column for each term of h.
+struct TractionOperators {
+  double p0, v0;  // Hertz's 2 / pi and Carter's 2 f / pi
   Eigen::MatrixXd p, v;
   Eigen::RowVectorXd kappa, gamma0;
 };
 
 /// These matrices on a grid.
-Inverses invert(const Zones& z, const ThermalSides& sides, double friction);
+TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal, double friction);
+
+/// The problem of a scene on a grid at a border: all that does not depend on the heat flux.
+struct ContactGrid {
+  Scene scene;
+  GridRules rules;
+  Nodes nodes;
+  ThermalTerms thermal;
+  TractionOperators tractions;
+};
+
+/// By these rules, for an h of so many terms; or with n unknowns, and as many terms.
+ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
+                         const GridRules& rules, Eigen::Index terms);
+ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
+                         int n);
 
 /// What @eq:pressure-conditions and @eq:stick-conditions give for h: kappa, gamma0, C and Q*.
-struct Loads {
+struct Resultants {
   double kappa, gamma0, constant, traction;
 };
-Loads loads(const Zones& z, const ThermalSides& sides, const Inverses& x, double friction,
-            const Eigen::VectorXd& h);
+Resultants resultants(const ContactGrid& grid, const Eigen::VectorXd& h);
 
 /// What the tractions are made of, on both zones (@sec:admissibility), for an h.
-Factors factors(const Rules& rules, const Zones& z, const ThermalSides& sides, const Inverses& x,
-                double friction, const Eigen::VectorXd& h);
+Factors factors(const ContactGrid& grid, const Eigen::VectorXd& h);
 
 /// T* and dT*/ds.
-struct Warmth {
+struct TemperatureAndSlope {
   double value, slope;
 };
 
 /// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
 /// or, with left = 0, across a gap (in lengths of the slip zone); a rule of a multiple of eight
 /// nodes.
-Warmth warmth(double slip, double peclet, const Eigen::VectorXd& h, double left, double right,
-              double gap, const Rule& rule);
+TemperatureAndSlope temperature_and_slope(double slip, double peclet, const Eigen::VectorXd& h,
+                                          double left, double right, double gap,
+                                          const GaussLegendre& rule);
 
 /// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
 /// multiple of eight nodes.
-Eigen::ArrayXd surface_temperature(const Border& border, double peclet, const Eigen::VectorXd& h,
-                                   const Eigen::ArrayXd& s, const Rule& rule);
+Eigen::ArrayXd surface_temperature(const ZoneLengths& border, double peclet,
+                                   const Eigen::VectorXd& h, const Eigen::ArrayXd& s,
+                                   const GaussLegendre& rule);
 
 /// The hottest point of the slip zone and T* there.
-struct Summit {
-  double y = 0.43, value = 0, bend = -3;  // bend: the second derivative of ln T by y
+struct HottestPoint {
+  double y = 0.43, value = 0, curvature = -3;  // curvature: the second derivative of ln T by y
 };
 
 /// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes.
-Summit climb(double slip, double peclet, const Eigen::VectorXd& h, const Summit& near,
-             const Rule& rule);
+HottestPoint find_hottest(double slip, double peclet, const Eigen::VectorXd& h,
+                          const HottestPoint& near, const GaussLegendre& rule);
 
 }  // namespace thermoroll

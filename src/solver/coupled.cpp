@@ -24,17 +24,19 @@ using Eigen::VectorXd;
 
 /// Solve @eq:h at the given share of the heating from the start h; the number of steps, 0 if it
 /// fails.
-int newton(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double friction, double share,
-           VectorXd& h) {
+int newton(const ContactGrid& grid, double share, VectorXd& h) {
+  const TractionOperators& x = grid.tractions;
+  const MatrixXd& legendre = grid.rules.slip.p;
+  const ArrayXd& sigma = grid.nodes.sigma;
   Eigen::PartialPivLU<MatrixXd> jacobian;
   double moved = 1;
   for (int step = 1; step <= 25; ++step) {
-    const ArrayXd p = share * (x.p * h).array() + 2 / pi;
-    const ArrayXd v = share * (x.v * h).array() + 2 * friction / pi;
+    const ArrayXd p = share * (x.p * h).array() + x.p0;
+    const ArrayXd v = share * (x.v * h).array() + x.v0;
     if (moved > 1e-3)
-      jacobian.compute(rule.p - share * (sigma * v).matrix().asDiagonal() * x.p -
+      jacobian.compute(legendre - share * (sigma * v).matrix().asDiagonal() * x.p -
                        share * (sigma * p).matrix().asDiagonal() * x.v);
-    const VectorXd change = jacobian.solve(rule.p * h - (sigma * p * v).matrix());
+    const VectorXd change = jacobian.solve(legendre * h - (sigma * p * v).matrix());
     h -= change;
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
@@ -43,75 +45,83 @@ int newton(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double fri
   return 0;
 }
 
-/// Solve by Newton's method from h or, should that be no contact, led up in heating from Carter's
-/// h; steps at the full heating, 0 if it fails.
-int solve_flux(const Inverses& x, const Rule& rule, const ArrayXd& sigma, double friction,
-               const VectorXd& carter, VectorXd& h) {
-  const auto solve = [&](double share, VectorXd& at) {
-    return newton(x, rule, sigma, friction, share, at);
-  };
+/// The Legendre coefficients of Carter's h at the nodes of the grid.
+VectorXd carter_start(const ContactGrid& grid) {
+  const double f = grid.scene.friction;
+  return to_legendre(grid.rules.slip) * (4 * f / (pi * pi) * grid.nodes.sigma).matrix();
+}
+
+/// Solve by Newton's method from h or, should that be no contact, by continuation in the heating
+/// from Carter's h; steps at the full heating, 0 if it fails.
+int solve_flux(const ContactGrid& grid, VectorXd& h) {
   const auto slips = [&](double share, const VectorXd& at) {
-    return share * (x.v * at).minCoeff() > -2 * friction / pi;
+    return share * (grid.tractions.v * at).minCoeff() > -grid.tractions.v0;
   };
-  const int direct = solve(1, h);
+  const int direct = newton(grid, 1, h);
   if (direct > 0 && slips(1, h)) return direct;
-  VectorXd led = carter;
+  VectorXd continued = carter_start(grid);
   for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
     const double next = std::min(1.0, share * growth);
-    VectorXd trial = led;
-    const int steps = solve(next, trial);
-    if (steps > 0 && slips(next, trial)) {
-      led = trial, share = next;
-      if (share == 1) return h = led, steps;
-    } else {
+    VectorXd trial = continued;
+    const int steps = newton(grid, next, trial);
+    if (steps == 0 || !slips(next, trial)) {
       growth = std::sqrt(growth);
+      continue;
     }
+    if (next == 1) {
+      h = trial;
+      return steps;
+    }
+    continued = trial;
+    share = next;
   }
   return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
-struct Level {
-  Border at;
+struct GridSolution {
+  ZoneLengths at;
   Values value;
   VectorXd h;                         // Legendre coefficients; none before the first grid
-  Summit summit;                      // the hottest point
+  HottestPoint peak;                  // the hottest point
   int newton_steps = 0;               // 0 where Newton failed
   std::vector<Violation> violations;  // where it is no contact
 };
 
-Level solve_level(const Scene& scene, Formulation formulation, int n, const Border& at,
-                  const Level& from) {
-  const Rules rules(n, at, scene.peclet);
-  const Zones z = zones(at, rules.slip, rules.stick);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
-  const Inverses x = invert(z, sides, scene.friction);
-  const double f = scene.friction;
-  const ArrayXd sigma = at.stick + at.slip * z.t;  // 1 + s
-  const VectorXd carter = to_legendre(rules.slip) * (4 * f / (pi * pi) * sigma).matrix();
-  Level level;
-  level.at = at, level.h = carter;
-  if (from.newton_steps > 0) level.h.setZero(), level.h.head(from.h.size()) = from.h;
-  level.newton_steps = solve_flux(x, rules.slip, sigma, f, carter, level.h);
-  const VectorXd& h = level.h;
-  const Loads load = loads(z, sides, x, f, h);
-  const Summit& summit = level.summit = climb(at.slip, scene.peclet, h, from.summit, rules.fine);
-  const Place top(1 + summit.y, 1 - summit.y);
-  const double heat = at.slip * at.slip * z.heat.dot(rules.slip.p * h);
-  level.value << at.c0(), at.slip, load.traction, load.constant, load.constant - f * load.gamma0,
-      load.kappa, load.gamma0, heat, summit.value, at.c0() + at.slip * top.t();
-  level.violations = violations(factors(rules, z, sides, x, f, h));
-  if (!level.value.allFinite()) level.newton_steps = 0;  // at speeds beyond all measure
-  return level;
+Values values_on_grid(const ContactGrid& grid, const GridSolution& found) {
+  const ZoneLengths& at = found.at;
+  const Resultants sum = resultants(grid, found.h);
+  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y);
+  const double creep = sum.constant - grid.scene.friction * sum.gamma0;
+  const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
+  Values value;
+  value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
+      found.peak.value, at.c0() + at.slip * top.t();
+  return value;
+}
+
+GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
+                           const ZoneLengths& at, const GridSolution& from) {
+  const ContactGrid grid = contact_grid(scene, formulation, at, n);
+  GridSolution found;
+  found.at = at;
+  found.h = carter_start(grid);
+  if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
+  found.newton_steps = solve_flux(grid, found.h);
+  found.peak = find_hottest(at.slip, scene.peclet, found.h, from.peak, grid.rules.fine);
+  found.value = values_on_grid(grid, found);
+  found.violations = violations(factors(grid, found.h));
+  if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
+  return found;
 }
 
 /// The border moved towards s = 1; the shorter zone keeps its digits.
-Border moved_by(const Border& x, double step) {
+ZoneLengths moved_by(const ZoneLengths& x, double step) {
   const double slip = x.slip - step, stick = x.stick + step;
-  return slip < stick ? Border{slip, 2 - slip} : Border{2 - stick, stick};
+  return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
 }
 
 /// What a solution misses of what is given; a border is measured from the nearer end.
-double missing(const Level& x, const Prescribed& given) {
+double residual(const GridSolution& x, const Prescribed& given) {
   if (given.quantity != border) return given.value - x.value(given.quantity);
   return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
 }
@@ -119,12 +129,12 @@ double missing(const Level& x, const Prescribed& given) {
 /// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
 /// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
 /// no solution is found.
-Level find_border(const Scene& scene, Formulation formulation, int n, const Prescribed& given,
-                  Level level, Values& slope) {
-  Border at = level.at;
+GridSolution find_border(const Scene& scene, Formulation formulation, int n,
+                         const Prescribed& given, GridSolution level, Values& slope) {
+  ZoneLengths at = level.at;
   for (int k = 0, failed = 0; k < 30; ++k) {
-    const Level last = level;
-    level = solve_level(scene, formulation, n, at, last);
+    const GridSolution last = level;
+    level = solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) {
       if (k == 0 || ++failed == 8) break;
       at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2}, level = last;
@@ -133,7 +143,7 @@ Level find_border(const Scene& scene, Formulation formulation, int n, const Pres
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     if (moved != 0) slope = (level.value - last.value) / moved;
     const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
-    double step = slope(border) * missing(level, given);
+    double step = slope(border) * residual(level, given);
     if (k > 0 && std::abs(step) <= near) return level;
     if (std::abs(step) < near) step = near;             // a second border, for the derivative
     if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
@@ -153,7 +163,7 @@ double unresolved(double tail, int n, bool slow) {
 }
 
 /// Strong heating, or a zone of less than a twentieth of the contact.
-bool converges_slowly(const Scene& scene, const Border& at) {
+bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
   return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
 }
 
@@ -186,11 +196,11 @@ bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b
 }
 
 /// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
-Level next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
-  const auto with = [&](double stick, const Level& from) {
-    return solve_level(scene, formulation, n, {2 - stick, stick}, from);
+GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
+  const auto with = [&](double stick, const GridSolution& from) {
+    return solve_on_grid(scene, formulation, n, {2 - stick, stick}, from);
   };
-  Level level = with(1e-6, {});
+  GridSolution level = with(1e-6, {});
   if (level.newton_steps > 0) return level;
   for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
     level = with(stick, level);
@@ -199,11 +209,16 @@ Level next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
 
 /// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
 void check_slips_in_part(const Scene& scene, Formulation formulation, int n, double given) {
-  const Level full = next_to_full_slip(scene, formulation, std::max(40, n));
+  const GridSolution full = next_to_full_slip(scene, formulation, std::max(40, n));
   const double most = full.value(creep);
   if (full.newton_steps > 0)
     require(given < most, "creep", given,
             "below " + shortest(most) + ", where the whole contact slips");
+}
+
+/// The grid of n unknowns at the border of a solution.
+ContactGrid grid_of(const CoupledSolution& x, int n) {
+  return contact_grid(x.scene, x.formulation, {x.value(slip_length), 1 + x.value(border)}, n);
 }
 
 }  // namespace
@@ -234,12 +249,10 @@ double rounding(const Prescribed& given, const Values& slope, const Values& scal
 }
 
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
-  const Border at{1 - c0, 1 + c0};
-  const Rules rules(n, at);
-  const Zones z = zones(at, rules.slip, rules.stick);
-  const Inverses x = invert(z, thermal_sides(scene, formulation, z, n, rules.ray), scene.friction);
-  const MatrixXd to = to_legendre(rules.slip);
-  return {scene.friction, z.s, 1 + z.s, x.p * to, x.v * to, x.kappa * to};
+  const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, n);
+  const TractionOperators& x = grid.tractions;
+  const MatrixXd to = to_legendre(grid.rules.slip);
+  return {scene.friction, grid.nodes.s, 1 + grid.nodes.s, x.p * to, x.v * to, x.kappa * to};
 }
 
 void check(double friction, const Prescribed& given) {
@@ -281,7 +294,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
   const Carter cold = carter_given(scene.friction, near);
   Values slope = carter_slope(cold, given.quantity);
-  Level level, tried;
+  GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
   for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
        n *= 2) {
@@ -295,7 +308,7 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     throw std::runtime_error("coupled: no solution found near the border " +
                              shortest(tried.at.c0()));
   const auto corrected = [&] {
-    Values met = level.value + slope * missing(level, given);
+    Values met = level.value + slope * residual(level, given);
     met(given.quantity) = given.value;
     return met;
   };
@@ -304,9 +317,9 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   int stalled = 0;  // grids in a row that have gained little
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
   for (;; n = std::min(2 * n, most_unknowns)) {
-    const Level last = level;
-    const double step = slope(border) * missing(last, given);
-    level = solve_level(scene, formulation, n, moved_by(last.at, step), last);
+    const GridSolution last = level;
+    const double step = slope(border) * residual(last, given);
+    level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
     if (level.newton_steps > 0) {
       const Values before = value, scale = scale_of(level.value);
       value = corrected();
@@ -315,7 +328,8 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
       change = (moved / scale).max((slow ? 0.004 : 0.02) * change);
       const double error =
           estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
-      CoupledSolution x{value, error * scale, n, level.newton_steps, level.h, 0, level.violations};
+      CoupledSolution x{scene,   formulation, value,           error * scale, n, level.newton_steps,
+                        level.h, 0,           level.violations};
       x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
       x.error(hottest_at) = level.at.slip * std::sqrt(error);  // the maximum is flat
       if (error <= tolerance && same_kinds(level.violations, last.violations)) return x;
@@ -339,49 +353,44 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
           }};
 }
 
-Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x) {
-  const double slip = x.value(slip_length);
-  const Border border_found{slip, 1 + x.value(border)};
-  const Rules rules(x.unknowns, border_found, scene.peclet);
-  const Zones z = zones(border_found, rules.slip, rules.stick);
+Profile profile(const CoupledSolution& x) {
+  const ContactGrid grid = grid_of(x, x.unknowns);
+  const Nodes& z = grid.nodes;
   const Index n = z.y.size(), m = z.d.size();
-  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
-  const Inverses inverses = invert(z, sides, scene.friction);
-  const Factors at = factors(rules, z, sides, inverses, scene.friction, x.h);
+  const Factors at = factors(grid, x.h);
   ArrayXd right(m + n);  // 1 - s, with its digits
-  right << slip + z.d.reverse(), slip * (1 - z.t);
-  Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, at.s};
-  profile.traction = scene.friction * profile.pressure;
+  right << z.zones.slip + z.d.reverse(), z.zones.slip * (1 - z.t);
+  Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, {}};
+  profile.traction = x.scene.friction * profile.pressure;
   profile.traction.head(m) -= ((2 - right.head(m)) * z.d.reverse()).sqrt() * at.slip.head(m);
-  profile.heat_flux = profile.slip = ArrayXd::Zero(m + n);
-  profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (rules.slip.p * x.h).array();
+  const double slip = z.zones.slip;
+  profile.temperature = profile.heat_flux = profile.slip = ArrayXd::Zero(m + n);
+  profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.rules.slip.p * x.h).array();
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
-    profile.temperature(i) = warmth(slip, scene.peclet, x.h, left, 2 - left, gap, rules.fine).value;
+    profile.temperature(i) =
+        temperature_and_slope(slip, x.scene.peclet, x.h, left, 2 - left, gap, grid.rules.fine)
+            .value;
   }
   return profile;
 }
 
-SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
-                                 const CoupledSolution& x, int n) {
-  const Border at{x.value(slip_length), 1 + x.value(border)};
-  const Rules rules(n, at, scene.peclet);
-  const Zones z = zones(at, rules.slip, rules.stick);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, n, rules.ray);
-  const Inverses inverses = invert(z, sides, scene.friction);
+SmoothTractions smooth_tractions(const CoupledSolution& x, int n) {
+  const ContactGrid grid = grid_of(x, n);
   VectorXd h = VectorXd::Zero(n);
   const Index known = std::min(h.size(), x.h.size());
   h.head(known) = x.h.head(known);
-  if (n != x.unknowns) newton(inverses, rules.slip, at.stick + at.slip * z.t, scene.friction, 1, h);
-  const Factors found = factors(rules, z, sides, inverses, scene.friction, h);
-  const Index m = z.d.size();
+  if (n != x.unknowns) newton(grid, 1, h);
+  const Factors found = factors(grid, h);
+  const Index m = grid.nodes.d.size();
   const VectorXd stick_pressure = found.pressure.head(m).reverse();
   const VectorXd bracket = found.slip.head(m).reverse();
-  const MatrixXd to_stick = to_legendre(rules.stick);
+  const MatrixXd to_stick = to_legendre(grid.rules.stick);
+  const ZoneLengths& at = grid.nodes.zones;
   SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
-  y.pressure = to_legendre(rules.slip) * found.pressure.tail(n).matrix();
+  y.pressure = to_legendre(grid.rules.slip) * found.pressure.tail(n).matrix();
   return y;
 }
 

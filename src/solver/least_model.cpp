@@ -16,48 +16,56 @@ using Eigen::VectorXd;
 
 namespace {
 
-Border border_of(const Carter& c) { return {2 * c.slip_half_width, 2 * c.b}; }
+ZoneLengths zones_of(const Carter& c) { return {2 * c.slip_half_width, 2 * c.b}; }
 
 /// The limit @eq:fast-limit: y of the top, T* sqrt(Pe) / (f slip^1.5) there and its curvature, as
 /// Legendre series in 2 ell - 1.
 struct FastLimit {
-  FastLimit() : y(20), value(20), bend(20) {
-    const Rule& rule = gauss_legendre(20);
+  FastLimit() : y(20), value(20), curvature(20) {
+    const GaussLegendre& rule = gauss_legendre(20);
     for (Eigen::Index i = 0; i < 20; ++i) {
       const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
-      const Border at{slip, 2 - slip};
-      const Summit top = climb(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
+      const ZoneLengths at{slip, 2 - slip};
+      const HottestPoint top = find_hottest(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
       y(i) = top.y, value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
-      bend(i) = top.bend;
+      curvature(i) = top.curvature;
     }
-    for (VectorXd* series : {&y, &value, &bend}) *series = to_legendre(rule) * *series;
+    for (VectorXd* series : {&y, &value, &curvature}) *series = to_legendre(rule) * *series;
   }
-  VectorXd y, value, bend;
+  VectorXd y, value, curvature;
 };
 
-Summit fast_limit(const Border& at, double friction, double peclet) {
+HottestPoint fast_limit(const ZoneLengths& at, double friction, double peclet) {
   static const FastLimit limit;
   const Eigen::RowVectorXd p = legendre(ArrayXd::Constant(1, at.slip - 1), 20).row(0);
   const double unit = friction * std::pow(at.slip, 1.5) / std::sqrt(peclet);
-  return {p.dot(limit.y), unit * p.dot(limit.value), p.dot(limit.bend)};
+  return {p.dot(limit.y), unit * p.dot(limit.value), p.dot(limit.curvature)};
 }
 
-const Rule& rays_for(double tolerance, double lambda) {
+const GaussLegendre& graded_nodes(double tolerance, double lambda) {
   const double digits = std::ceil(-std::log10(tolerance));
-  return taken_by(8, 8 + static_cast<int>(std::ceil(7 * digits + 3 * decades_beyond(lambda))));
+  return rounded_up(8, 8 + static_cast<int>(std::ceil(7 * digits + 3 * decades_beyond(lambda))));
 }
 
 /// The hottest point for Carter's heat, to a tenth of the tolerance.
-Summit hottest_of_carter(const Border& at, double friction, double peclet, double tolerance) {
+HottestPoint hottest_of_carter(const ZoneLengths& at, double friction, double peclet,
+                               double tolerance) {
   const double lambda = at.slip * peclet;
-  const Summit fast = fast_limit(at, friction, peclet);
+  const HottestPoint fast = fast_limit(at, friction, peclet);
   if (1.3 / (lambda * lambda) < tolerance / 10) return fast;
-  return climb(at.slip, peclet, carter_h(at, friction), fast, rays_for(tolerance, lambda));
+  return find_hottest(at.slip, peclet, carter_h(at, friction), fast,
+                      graded_nodes(tolerance, lambda));
 }
 
 bool sticks_without_heat(double friction, const Prescribed& given) {
   const double x = given.value, in_creep = given.quantity == creep ? pi / 2 : 1;
   return given.quantity == border || (0 < x && in_creep * x < friction);
+}
+
+GridRules rules_of_correction(const Scene& scene, const ZoneLengths& at, int least) {
+  const double narrow = decades_shorter(at), extreme = std::max(0.0, narrow - 3);
+  const double fast = std::max(0.0, std::log10(at.slip * scene.peclet) - 6);
+  return GridRules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
 }
 
 /// What Carter's heat does to Carter's solution.
@@ -73,35 +81,34 @@ Correction correct(const Scene& scene, Formulation formulation, const Prescribed
                    int least) {
   const double f = scene.friction;
   const Carter cold = carter_given(f, given);
-  const Border before = border_of(cold);
-  const double narrow = decades_shorter(before);
-  const double fast = std::max(0.0, std::log10(before.slip * scene.peclet) - 6);
-  const double extreme = std::max(0.0, narrow - 3);
-  const Rules rules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
-  const Zones z = zones(before, rules.slip, rules.stick);
-  const VectorXd h0 = carter_h(z.border, f);
-  const ThermalSides sides = thermal_sides(scene, formulation, z, h0.size(), rules.ray);
-  const Inverses inverses = invert(z, sides, f);
-  const Loads load = loads(z, sides, inverses, f, h0);
+  const ZoneLengths before = zones_of(cold);
+  const GridRules rules = rules_of_correction(scene, before, least);
+  const ContactGrid grid = contact_grid(scene, formulation, before, rules, 10);
+  const VectorXd h0 = carter_h(before, f);
+  const Resultants sum = resultants(grid, h0);
   Values change = Values::Zero();
-  change(traction) = load.traction - carter_values(cold)(traction);
-  change(creep_constant) = load.constant - cold.creep;
-  change(creep) = change(creep_constant) - f * load.gamma0;
-  change(load_ratio) = load.kappa - 1, change(gamma0) = load.gamma0;
+  change(traction) = sum.traction - carter_values(cold)(traction);
+  change(creep_constant) = sum.constant - cold.creep;
+  change(creep) = change(creep_constant) - f * sum.gamma0;
+  change(load_ratio) = sum.kappa - 1;
+  change(gamma0) = sum.gamma0;
   const Prescribed without{given.quantity, given.value - change(given.quantity)};
   const bool near = sticks_without_heat(f, without);
   const Carter c = near ? carter_given(f, without) : cold;
   const double unit = 4 * f / (pi * pi);  // h = unit sigma without heat
-  const ArrayXd sigma = z.border.stick + z.border.slip * z.t, flat = unit * sigma;
-  const ArrayXd p = 2 / pi + (inverses.p * h0).array(), v = 2 * f / pi + (inverses.v * h0).array();
-  const ArrayXd gained = sigma * p * v - flat;
+  const Nodes& z = grid.nodes;
+  const TractionOperators& tractions = grid.tractions;
+  const ArrayXd flat = unit * z.sigma;
+  const ArrayXd p = tractions.p0 + (tractions.p * h0).array();
+  const ArrayXd v = tractions.v0 + (tractions.v * h0).array();
+  const ArrayXd gained = z.sigma * p * v - flat;
   Correction x;
-  const Border at = border_of(c);
+  const ZoneLengths at = zones_of(c);
   x.h = unit * (at.stick + at.slip * z.t) + gained;
   change(heat) = at.slip * at.slip * z.heat.dot(gained.matrix());
   x.most = gained.abs().maxCoeff() / flat.maxCoeff();
   x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
-  x.violations = violations(factors(rules, z, sides, inverses, f, h0));
+  x.violations = violations(factors(grid, h0));
   if (!near) x.most = x.mean = std::numeric_limits<double>::infinity();
   x.carter = c, x.cold = carter_values(cold), x.value = carter_values(c) + change;
   return x;
@@ -112,13 +119,13 @@ double largest_change(const Correction& x) {
   return std::max(change.head(heat + 1).maxCoeff(), x.mean);
 }
 
-CoupledSolution rung(const VectorXd& h, const Values& value, const Carter& c, const Summit& top,
-                     double error, const Prescribed& given) {
-  const Border at = border_of(c);
-  CoupledSolution x;
-  x.h = h, x.value = value, x.unknowns = static_cast<int>(h.size());
+CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd& h,
+                     const Values& value, const Carter& c, const HottestPoint& top, double error,
+                     const Prescribed& given) {
+  const ZoneLengths at = zones_of(c);
+  CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, 0, {}};
   x.value(hottest) = top.value;
-  x.value(hottest_at) = at.c0() + at.slip * Place(1 + top.y, 1 - top.y).t();
+  x.value(hottest_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
   x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
   const Values scale = scale_of(x.value);
   const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
@@ -147,26 +154,28 @@ double largest_difference(const Values& x, const Values& exact) {
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
-  const Border at = border_of(c);
-  const Summit top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
+  const ZoneLengths at = zones_of(c);
+  const HottestPoint top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
   const bool hot = scene.heating > 0;
   const double left_out = hot ? largest_change(correct(scene, formulation, given, 6)) : 0;
   const double error = 1.5 * left_out + 0.1 * tolerance;
-  return rung(carter_h(at, scene.friction), carter_values(c), c, top, error, given);
+  const Scene cold{scene.friction, scene.peclet, 0};  // as its tractions are
+  return rung(cold, formulation, carter_h(at, scene.friction), carter_values(c), c, top, error,
+              given);
 }
 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given) {
   const Correction x = correct(scene, formulation, given, 16);
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
-  const Border at = border_of(x.carter);
-  const Summit near = fast_limit(at, scene.friction, scene.peclet);
-  const Rule& rays = rays_for(tolerance, at.slip * scene.peclet);
-  const Summit top = climb(at.slip, scene.peclet, h, near, rays);
+  const ZoneLengths at = zones_of(x.carter);
+  const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
+  const GaussLegendre& rays = graded_nodes(tolerance, at.slip * scene.peclet);
+  const HottestPoint top = find_hottest(at.slip, scene.peclet, h, near, rays);
   const double r = std::max(largest_change(x), x.most);
   const double later = r < 1 ? r * r / (1 - r) : std::numeric_limits<double>::infinity();
   const double error = 2 * later + 2e-3 * r + 0.1 * tolerance;
-  CoupledSolution solution = rung(h, x.value, x.carter, top, error, given);
+  CoupledSolution solution = rung(scene, formulation, h, x.value, x.carter, top, error, given);
   solution.violations = x.violations;
   return solution;
 }

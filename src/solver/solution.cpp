@@ -155,8 +155,8 @@ struct Curves {
 
 /// The curves at -1 <= x <= 1, the variable of each zone.
 Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
-  const Rule places{x, 0 * x, (1 + x) / 2, {}, {}};
-  const Zones z = zones({by.slip, by.stick}, places, places);
+  const GaussLegendre places{x, 0 * x, (1 + x) / 2, {}, {}};
+  const Nodes z = place_nodes({by.slip, by.stick}, places, places);
   const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
   const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
   const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
@@ -192,9 +192,9 @@ Top top(Eigen::Index points, const Curve& curve) {
 FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   const int n = found.unknowns, other = n > 320 ? 2 * n / 3 : 3 * n / 2;
   const double f = x.scene.friction, half = found.value(slip_length) / 2;
-  const auto on = [&](int grid) {
-    return largest(smooth_tractions(x.scene, x.approach.formulation, found, grid), f);
-  };
+  CoupledSolution hot = found;
+  hot.scene = x.scene;  // with heat, which the closed form leaves out
+  const auto on = [&](int grid) { return largest(smooth_tractions(hot, grid), f); };
   const bool closed = x.model == name_of(Model::closed_form);
   const bool better = other > n && x.model == name_of(Model::coupled);
   const Carter carter{f, 1 - half, half, found.value(border), found.value(creep)};
@@ -231,9 +231,7 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
 
 Profile profile(const Solution& x) {
   if (const auto* found = std::get_if<CoupledSolution>(&x.found)) {
-    Scene scene = x.scene;
-    if (x.model == name_of(Model::closed_form)) scene.heating = 0;  // as its tractions are
-    return profile(scene, x.approach.formulation, *found);
+    return profile(*found);
   }
   if (const auto* closed = std::get_if<Carter>(&x.found)) return carter_profile(x.scene, *closed);
   throw std::invalid_argument(

@@ -11,7 +11,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 SmoothFlux smooth_flux(const Carter& c) {
-  const Border at{2 * c.slip_half_width, 2 * c.b};
+  const ZoneLengths at{2 * c.slip_half_width, 2 * c.b};
   return {at.slip, at.stick, carter_h(at, c.friction)};
 }
 
@@ -22,7 +22,7 @@ SmoothFlux smooth_flux(const CoupledSolution& x) {
 namespace {
 /// Estimated error of all temperatures, of which the largest is top, from what eight more nodes
 /// have changed at most.
-double error_of_rays(int nodes, double change, double top) {
+double quadrature_error(int nodes, double change, double top) {
   return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }
 }  // namespace
@@ -36,7 +36,8 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
   ArrayXd some(own + 4);
   for (Index i = 0; i < own; ++i) some(i) = s(i * every);
   const ArrayXd y = gauss_legendre(4).x;
-  for (Index i = 0; i < 4; ++i) some(own + i) = 1 - x.slip * (1 - Place(1 + y(i), 1 - y(i)).t());
+  for (Index i = 0; i < 4; ++i)
+    some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i)).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
     return surface_temperature({x.slip, x.stick}, peclet, x.h, at, gauss_legendre(nodes));
   };
@@ -44,7 +45,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
   for (ArrayXd before = with(nodes, some);;) {
     const ArrayXd now = with(nodes += 8, some);
     const double top = now.maxCoeff();
-    const double error = error_of_rays(nodes, (now - before).abs().maxCoeff(), top);
+    const double error = quadrature_error(nodes, (now - before).abs().maxCoeff(), top);
     if (error <= tolerance * top || nodes >= most_unknowns) return {with(nodes, s), error};
     before = now;
   }
@@ -52,12 +53,12 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
 
 Peak hottest_point(const SmoothFlux& x, double peclet, double tolerance) {
   int nodes = 40;
-  for (Summit before = climb(x.slip, peclet, x.h, {}, gauss_legendre(nodes));;) {
-    const Summit now = climb(x.slip, peclet, x.h, before, gauss_legendre(nodes += 8));
-    const double error = error_of_rays(nodes, std::abs(now.value - before.value), now.value);
+  for (HottestPoint before = find_hottest(x.slip, peclet, x.h, {}, gauss_legendre(nodes));;) {
+    const HottestPoint now = find_hottest(x.slip, peclet, x.h, before, gauss_legendre(nodes += 8));
+    const double error = quadrature_error(nodes, std::abs(now.value - before.value), now.value);
     if (error <= tolerance * now.value || nodes >= most_unknowns) {
       const double moved = std::abs(now.y - before.y) + 1e-9;
-      const Place at(1 + now.y, 1 - now.y);
+      const SlipPoint at(1 + now.y, 1 - now.y);
       const double s = (x.stick - x.slip) / 2 + x.slip * at.t();
       const double at_error = 6 * x.slip * at.u * at.v * at.du * moved;
       return {s, at_error, {now.value, error}};

@@ -70,7 +70,7 @@ std::vector<Case> sixteen_cases() {
     for (const double pe : paper::peclets) {
       const CoupledSolution x = paper::coupled(q, pe);
       cases.push_back({q, pe, paper::scheme(q, pe, {50, 1e-3}), paper::scheme(q, pe, {200, 1e-3}),
-                       x, profile(paper::scene(pe), paper::formulation, x)});
+                       x, profile(x)});
     }
   return cases;
 }

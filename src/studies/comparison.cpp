@@ -128,7 +128,7 @@ CarterErrors carter_errors() {
   const Scene scene{0.3, 1, 0};
   const CoupledSolution at_creep = solve_coupled(scene, sign, 1e-6, {creep, exact.creep});
   const CoupledSolution at_force = solve_coupled(scene, sign, 1e-6, {traction, 0.192});
-  const Profile x = profile(scene, sign, at_creep);
+  const Profile x = profile(at_creep);
   double worst = 0;
   for (Eigen::Index i = 0; i < x.s.size(); ++i)
     worst = std::max(worst, std::abs(x.traction(i) - carter_traction(exact, x.s(i))));

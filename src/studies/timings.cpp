@@ -93,14 +93,14 @@ void table_of_shares(std::ostream& out, const Times& times) {
   const double whole = of("coupled/tol:1e-08/Pe:4360/H:0.0175");
   const double coarse = of("coupled/tol:1e-06/Pe:4360/H:0.0175");
   const double rays = of("part/rays"), sides = of("part/sides");
-  const double inverses = of("part/inverses"), summit = of("part/hottest");
-  const double rest = whole - coarse - sides - inverses - summit;
+  const double inverses = of("part/inverses"), peak = of("part/hottest");
+  const double rest = whole - coarse - sides - inverses - peak;
   out << "what,time,share\n";
   for (const auto& [what, seconds] : {std::pair{"coarser grids, with 10 and 30 unknowns", coarse},
                                       {"last grid: nodes of the rays and kernels", rays},
                                       {"last grid: sums with Legendre polynomials", sides - rays},
                                       {"last grid: inverses of the transforms", inverses},
-                                      {"last grid: hottest point", summit},
+                                      {"last grid: hottest point", peak},
                                       {"last grid: Newton's method, signs, estimates", rest},
                                       {"**all**", whole}})
     out << '"' << what << "\"," << duration(seconds) << ',' << fixed(100 * seconds / whole, 0)

@@ -212,14 +212,14 @@ Places scaled(const Places& x, double length, const ArrayXd& weights) {
 }
 
 /// The places of @eq:angles for the nodes y of a rule.
-Places slip_places(double length, const Rule& rule) {
+Places slip_places(double length, const GaussLegendre& rule) {
   const auto rise = [](const ArrayXd& eta) { return eta * (3 + (12 - 4 * eta) * eta) / 22; };
   const ArrayXd du = (15 - 12 * rule.x.square()) / 22 * rule.w;
   return scaled(cubic(rise(1 + rule.x), rise(1 - rule.x)), length, du);
 }
 
 /// The same on the stick zone, q = eps (e^(k rho) - 1) with rho = (1 + x) / 2.
-Places stick_places(double length, double slip, const Rule& rule) {
+Places stick_places(double length, double slip, const GaussLegendre& rule) {
   const double eps = std::min(1.0, std::sqrt(slip / length)), k = std::log1p(1 / eps);
   const ArrayXd grown = eps * (k / 2 * (1 + rule.x)).exp();
   const ArrayXd rest =
@@ -228,7 +228,7 @@ Places stick_places(double length, double slip, const Rule& rule) {
 }
 
 /// The matrix that takes values at the nodes of a rule to those of their polynomial at points.
-Eigen::MatrixXd interpolation(const Rule& from, const ArrayXd& to) {
+Eigen::MatrixXd interpolation(const GaussLegendre& from, const ArrayXd& to) {
   return legendre(to, from.x.size()) * to_legendre(from);
 }
 
@@ -239,9 +239,9 @@ struct Zone {
   Eigen::MatrixXd values;
 };
 
-Zone zone(Index n, const std::function<Places(const Rule&)>& places) {
-  const Rule &nodes = gauss_legendre(static_cast<int>(n)),
-             &fine = gauss_legendre(static_cast<int>(200 + 2 * n));
+Zone zone(Index n, const std::function<Places(const GaussLegendre&)>& places) {
+  const GaussLegendre &nodes = gauss_legendre(static_cast<int>(n)),
+                      &fine = gauss_legendre(static_cast<int>(200 + 2 * n));
   return {places(nodes), places(fine), interpolation(nodes, fine.x)};
 }
 
@@ -253,8 +253,8 @@ struct Tractions {
 Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Profile& y) {
   const double slip = found.value(slip_length), c0 = found.value(border), f = x.scene.friction;
   const Index n = found.unknowns, m = y.s.size() - n;
-  Tractions z{zone(m, [&](const Rule& r) { return stick_places(1 + c0, slip, r); }),
-              zone(n, [&](const Rule& r) { return slip_places(slip, r); }),
+  Tractions z{zone(m, [&](const GaussLegendre& r) { return stick_places(1 + c0, slip, r); }),
+              zone(n, [&](const GaussLegendre& r) { return slip_places(slip, r); }),
               {},
               {},
               {}};
@@ -435,7 +435,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
       if (x.scene.friction * x.scene.heating <= 50) examine_error(record, x, found);
     }
     if (depth < Depth::profiles) return;
-    const Profile y = profile(x.scene, x.formulation, found);
+    const Profile y = profile(found);
     const Tractions z = tractions_of(x, found, y);
     examine_profile(record, found, y, z);
     if (depth >= Depth::energy) examine_energy(record, x, found, y, z);

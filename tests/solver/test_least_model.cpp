@@ -64,7 +64,7 @@ class Scenes {
 };
 
 // h at the nodes of a rule; the heat flux is sqrt(left right) times it.
-Eigen::ArrayXd flux_at(const thermoroll::Rule& rule, const CoupledSolution& x) {
+Eigen::ArrayXd flux_at(const thermoroll::GaussLegendre& rule, const CoupledSolution& x) {
   return thermoroll::legendre(rule.x, x.h.size()) * x.h;
 }
 
@@ -103,14 +103,14 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
 // slope by y is zero as well. The rays' errors are the same for all starts; what is left is what
 // the last step, below 1e-5, leaves out.
 TEST(LeastModel, ClimbsFromAnywhere) {
-  const thermoroll::Rule& rays = thermoroll::gauss_legendre(64);
+  const thermoroll::GaussLegendre& rays = thermoroll::gauss_legendre(64);
   for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
     const double slip = 0.5, peclet = lambda / slip;
     const Eigen::VectorXd h = thermoroll::carter_h({slip, 2 - slip}, 0.6);
-    const thermoroll::Summit top = thermoroll::climb(slip, peclet, h, {}, rays);
+    const thermoroll::HottestPoint top = thermoroll::find_hottest(slip, peclet, h, {}, rays);
     for (double y = -0.9; y < 0.95; y += 0.01)
       for (const double bend : {-0.3, -2.7}) {
-        const auto again = thermoroll::climb(slip, peclet, h, {y, 1, bend}, rays);
+        const auto again = thermoroll::find_hottest(slip, peclet, h, {y, 1, bend}, rays);
         EXPECT_TRUE(close(again.value / top.value, 1, 1e-9)) << lambda << ' ' << y << ' ' << bend;
         EXPECT_TRUE(close(again.y, top.y, 2e-5)) << lambda << ' ' << y << ' ' << bend;
       }
@@ -249,7 +249,7 @@ TEST(LeastModel, FirstOrderErrorIsHonest) {
 // What the closed form says of its error covers the change of the flux in the mean over the heat,
 // at the same share of the slip zone, though much of it cancels in every sum.
 TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
-  const thermoroll::Rule& rule = thermoroll::gauss_legendre(60);
+  const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(60);
   int beyond_sums = 0;
   for (const Formulation formulation : both)
     for (const double border : {-0.5, 0.5, 0.95})
@@ -260,7 +260,7 @@ TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
         const CoupledSolution cold =
             thermoroll::closed_form(scene, formulation, 1e-7, {thermoroll::traction, q});
         const CoupledSolution hot = better(scene, formulation, 1e-8);
-        const Eigen::ArrayXd weight = thermoroll::zones({slip, 1 + border}, rule, rule).heat;
+        const Eigen::ArrayXd weight = thermoroll::place_nodes({slip, 1 + border}, rule, rule).heat;
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
         const double moved = (weight * (after - before).abs()).sum() / (weight * before).sum();
         EXPECT_LE(moved, cold.error(thermoroll::load_ratio)) << text(scene);
@@ -280,7 +280,7 @@ TEST(LeastModel, FirstOrderErrorKnowsTheFluxAtEveryNode) {
         const Prescribed given{thermoroll::border, 0};
         const CoupledSolution cold = thermoroll::closed_form(scene, formulation, 1e-7, given);
         const CoupledSolution hot = thermoroll::first_order(scene, formulation, 1e-7, given);
-        const thermoroll::Rule& rule = thermoroll::gauss_legendre(hot.unknowns);
+        const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(hot.unknowns);
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
         const double r = (after - before).abs().maxCoeff() / before.maxCoeff() * (1 - 1e-12);
         const double least = r < 1 ? 2 * r * r / (1 - r) : infinity;

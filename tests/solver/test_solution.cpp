@@ -322,9 +322,7 @@ TEST(Solution, PeakErrorsCountTheChangeOfTheGrid) {
         Driven{1.33, 0.4569, 8.209e5, 4.077e-4}, Driven{1.38, 0.5873, 3.135e7, 1.509e-6}}) {
     const Solution x = solve(scene, {Method::coupled});
     const auto& found = std::get<CoupledSolution>(x.found);
-    const auto on = [&](int n) {
-      return largest(smooth_tractions(scene, Formulation::corrected, found, n), scene.friction);
-    };
+    const auto on = [&](int n) { return largest(smooth_tractions(found, n), scene.friction); };
     const Peaks own = on(found.unknowns), finer = on(3 * found.unknowns / 2);
     const FoundPeaks peak = peaks(x);
     const FoundPeaks fine =
@@ -344,7 +342,7 @@ TEST(Solution, AnotherGridHasItsOwnFlux) {
     const auto on_other = [&](double tolerance) {
       const Solution x =
           solve(scene, {border, 0.2}, {Method::coupled, formulation, 200, tolerance});
-      return smooth_tractions(scene, formulation, std::get<CoupledSolution>(x.found), 50);
+      return smooth_tractions(std::get<CoupledSolution>(x.found), 50);
     };
     const SmoothTractions loose = on_other(1e-2), tight = on_other(1e-8);
     EXPECT_LT((loose.h - tight.h).norm(), 1e-9 * tight.h.norm());
@@ -367,7 +365,7 @@ TEST(Solution, PeaksAreTheHighestOfManyTops) {
     const Eigen::ArrayXd series = legendre(y, 25) * pressure;
     double highest = 0;
     for (Eigen::Index i = 0; i < y.size(); ++i) {
-      const double right = 0.8 * (1 - Place(1 + y(i), 1 - y(i)).t());
+      const double right = 0.8 * (1 - SlipPoint(1 + y(i), 1 - y(i)).t());
       highest = std::max(highest, std::sqrt(right * (2 - right)) * series(i));
     }
     const double found = largest({0.8, 1.2, zero, pressure, zero, zero}, 0.6).pressure;
@@ -388,7 +386,7 @@ TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
       int n = found.unknowns;
       finest = std::max(finest, n);
       if (method == Method::coupled && n <= 320) n = 3 * n / 2;
-      const Peaks y = largest(smooth_tractions(scene, Formulation::printed, found, n), 0.6);
+      const Peaks y = largest(smooth_tractions(found, n), 0.6);
       for (const auto peak : all_peaks) EXPECT_EQ(peaks(x).value.*peak, y.*peak) << n;
     }
   EXPECT_GT(finest, 320);

@@ -141,7 +141,7 @@ TEST(Surface, PlaceOfThePeakIsWithinItsError) {
 // of the left end.
 TEST(Surface, ShortSlipZonesAreAsLongOnes) {
   const Eigen::VectorXd h = thermoroll::carter_h({1, 1}, 0.6);
-  const thermoroll::Rule& rays = thermoroll::gauss_legendre(80);
+  const thermoroll::GaussLegendre& rays = thermoroll::gauss_legendre(80);
   const auto temperature_at = [&](double slip, double lambda, double s) {
     const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, s);
     return thermoroll::surface_temperature({slip, 2 - slip}, lambda / slip, h, at, rays)(0) /
@@ -161,9 +161,9 @@ TEST(Surface, ShortSlipZonesAreAsLongOnes) {
 // of two points has all its digits next to both.
 TEST(Surface, DistancesHaveTheirDigitsAtBothEnds) {
   for (double near = 0.5; near > 1e-15; near /= 8) {
-    const thermoroll::Place a(near, 2 - near), b(2 * near, 2 - 2 * near);
-    const thermoroll::Place c(2 - near, near), d(2 - 2 * near, 2 * near);
-    const double left = apart(a, b, near), right = apart(d, c, near);
+    const thermoroll::SlipPoint a(near, 2 - near), b(2 * near, 2 - 2 * near);
+    const thermoroll::SlipPoint c(2 - near, near), d(2 - 2 * near, 2 * near);
+    const double left = t_difference(a, b, near), right = t_difference(d, c, near);
     EXPECT_NEAR(right / left, 1, 16 * std::numeric_limits<double>::epsilon()) << near;
   }
 }

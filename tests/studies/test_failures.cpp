@@ -559,7 +559,7 @@ TEST(Ends, NearlyFullTraction) {
         const Driven scene{0.6, 0.6 * (1 - left), peclet, 0.3};
         const CoupledSolution x = thermoroll::solve_coupled(scene, formulation, 1e-8,
                                                             {thermoroll::traction, scene.traction});
-        const thermoroll::Profile profile = thermoroll::profile(scene, formulation, x);
+        const thermoroll::Profile profile = thermoroll::profile(x);
         const double c0 = x.value(thermoroll::border), b = (1 + c0) / 2;
         Eigen::Index i = 0;
         while (profile.slip(i) == 0) ++i;

@@ -37,6 +37,8 @@ struct Prescribed {
 
 /// A solution of the coupled problem; dimensionless.
 struct CoupledSolution {
+  Scene scene;              ///< whose heating acts on the tractions
+  Formulation formulation;  ///< the sign of that
   Values value;             ///< by Quantity
   Values error;             ///< estimated absolute errors
   int unknowns = 0;         ///< n, values of h on the last grid
@@ -64,7 +66,7 @@ double rounding(const Prescribed& given, const Values& slope, const Values& scal
 void check(double friction, const Prescribed& given);
 void check(const Scene& scene, const Prescribed& given);
 
-/// Carter's closed form for what is given; std::invalid_argument where check_given refuses it, or
+/// Carter's closed form for what is given; std::invalid_argument where check() refuses it, or
 /// the creep is one at which the whole contact slips.
 Carter carter_given(double friction, const Prescribed& given);
 
@@ -96,9 +98,8 @@ struct Profile {
   Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
 };
 
-/// The profiles of a solution of solve_coupled for the same scene and formulation, at the nodes of
-/// its last grid.
-Profile profile(const Scene& scene, Formulation formulation, const CoupledSolution& x);
+/// The profiles of a solution, at the nodes of its last grid.
+Profile profile(const CoupledSolution& x);
 
 /// What the tractions and the heat are made of, as Legendre coefficients: h and p-hat in y on the
 /// slip zone; p-hat and the bracket of @eq:corrective-inverse on the stick zone, in the x of its
@@ -108,9 +109,8 @@ struct SmoothTractions {
   Eigen::VectorXd h, pressure, stick_pressure, bracket;
 };
 
-/// Those of a solution of solve_coupled for the same scene and formulation, on a grid of n unknowns
-/// at its border; of a grid other than its own, those of the h solved for on that.
-SmoothTractions smooth_tractions(const Scene& scene, Formulation formulation,
-                                 const CoupledSolution& x, int n);
+/// Those of a solution, on a grid of n unknowns at its border; of a grid other than its own, those
+/// of the h solved for on that.
+SmoothTractions smooth_tractions(const CoupledSolution& x, int n);
 
 }  // namespace thermoroll
