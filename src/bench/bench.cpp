@@ -36,7 +36,7 @@ void name_runs() {
   for (const auto& [scene, run] : cost_runs()) name({run});
 }
 
-const Scene steel{paper::friction, 0.5, paper::peclet, paper::heating};
+const Scene steel{paper::friction, paper::peclet, paper::heating};
 constexpr Formulation sign = Formulation::corrected;
 
 /// Both sides of the equations on the last grid, for an h of so many terms.
