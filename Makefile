@@ -13,8 +13,8 @@ export LC_ALL := C.UTF-8
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
-check_packages := libgtest-dev clang-format clang-tidy libpng-dev libxml2-utils chromium parallel
-test_packages := $(figure_packages) $(check_packages)
+check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev
+test_packages := $(figure_packages) $(check_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
@@ -23,7 +23,9 @@ packages_for_data := $(data_packages)
 packages_for_figures := $(figure_packages)
 packages_for_report := $(figure_packages)
 packages_for_reproduce := $(figure_packages)
+packages_for_check := $(check_packages)
 packages_for_test := $(test_packages)
+packages_for_test-release := $(test_packages)
 packages_for_debug := $(build_packages) libgtest-dev
 packages_for_asan := $(build_packages) libgtest-dev
 packages_for_tsan := $(build_packages)
@@ -34,6 +36,8 @@ packages_for_mutants := $(test_packages)
 packages_for_fuzz := $(build_packages) clang libclang-rt-dev
 packages_for_coverage := $(build_packages) libgtest-dev
 packages_for_bench := $(data_packages)
+packages_for_draft := $(build_packages)
+packages_for_where := $(build_packages)
 packages_for_pdf := $(figure_packages) chromium
 packages_for_clean :=
 packages_for_help :=
@@ -153,7 +157,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all data figures report reproduce test bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
+.PHONY: all where data figures report draft reproduce check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -180,10 +184,18 @@ build build/data build/figures:
 	@mkdir -p $@
 
 # The tangler touches a file in src/ only when its content changes, so prose alone compiles nothing.
+tangle = pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null $(chapters)
 build/tangle.stamp: paper/tangle.lua $(chapters) | build
 	$(call step,tangling the chapters)
-	@pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null $(chapters)
+	@$(tangle)
 	@touch $@
+
+## where: the line of a chapter that is AT=src/solver/coupled.cpp:120
+where: | build
+	@TANGLE_ROOT=build/where TANGLE_LINES=1 $(tangle)
+	@awk -v file='$(AT)' 'BEGIN { split(file, at, ":"); ARGV[1] = "build/where/" at[1]; ARGC = 2 } \
+	  /^#line / { source = $$3; number = $$2 - 1; next } \
+	  { ++number } ++lines >= at[2] && lines > 1 { gsub(/"/, "", source); print source ":" number; exit }'
 
 build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 	$(call configure,release)
@@ -239,27 +251,37 @@ build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figu
 	@mv $@.tmp $@
 
 revision = $(shell git describe --always --dirty 2>/dev/null)
+weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
+  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml --fail-if-warnings \
-	  --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib \
-	  --template paper/template.html $(addprefix -M revision=,$(revision)) -o $@.tmp
+	@$(weave) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@
+
+drafted = $(wildcard paper/$(CHAPTER)-*.md)
+## draft: write CHAPTER=10 of the report alone to build/draft.html, with the data and figures that are there
+draft: | build
+	@[ "$(words $(drafted))" = 1 ] || { \
+	  echo "draft: there is no paper/$(CHAPTER)-*.md; say, for example, CHAPTER=01" >&2; exit 1; }
+	@$(weave) -M draft=$(drafted) -o build/draft.html.tmp
+	@mv build/draft.html.tmp build/draft.html
+	@echo "The draft is build/draft.html"
 
 # --- Tests and checks -----------------------------------------------------------------------------
 
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
 # compiled and one after the other. What needs data needs the benchmarks.
-no_data := all install debug asan tsan valgrind soak mutants fuzz sweep-bench coverage clean help
-with_test := $(if $(filter test,$(MAKECMDGOALS)),build/release/with-test)
-with_bench := $(if $(filter-out all install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
+with_test := $(if $(filter check test test-release,$(MAKECMDGOALS)),build/release/with-test)
+with_bench := $(if $(filter-out all where draft install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
 with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)
 build/built: | $(with_test) $(with_bench) $(with_soak)
 build/release/with-bench: | $(with_test)
 build/release/with-soak: | $(with_test) $(with_bench)
 bench: | $(filter test,$(MAKECMDGOALS))
 soak: | $(filter test bench,$(MAKECMDGOALS))
+test test-release: | $(filter check,$(MAKECMDGOALS))
+test-release: | $(filter test,$(MAKECMDGOALS))
 
 # A program that is compiled for the tests is compiled with -Werror, unless that would be twice.
 build/release/with-test: strict := $(if $(wildcard build/built),,-DTHERMOROLL_WERROR=ON)
@@ -270,11 +292,24 @@ build/release/with-%: | build/release/Makefile
 	@$(apart) cmake -D$(option)=ON $(strict) build/release >build/release.log || { cat build/release.log; exit 1; }
 	@touch $@
 
-## test: every test, through CTest
-test: build/data/claims.txt build/report.html
-	@echo "Building the tests"
-	@$(compile) build/release
-	@$(ctest) --test-dir build/release
+## check: the tests that find a mistake in an edit, within a minute once the rest is compiled
+check: build/built
+	@echo "Building the quick tests"
+	@$(compile) build/release --target unit-tests thermoroll-bench >build/check.log || { cat build/check.log; exit 1; }
+	@$(ctest) --preset check
+
+tested := build/data/claims.txt build/report.html
+build_tests = @echo "Building the tests"; $(compile) build/release
+
+## test: every test but those of test-release
+test: $(tested)
+	$(build_tests)
+	@$(ctest) --test-dir build/release -LE release
+
+## test-release: the rarest tests of the Makefile, which take a copy of the project or configure it anew
+test-release: $(tested)
+	$(build_tests)
+	@$(ctest) --test-dir build/release -L release
 
 # These builds compile their own tangled copy, with #line.
 

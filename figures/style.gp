@@ -125,7 +125,7 @@ panel(k, of_what, title) = sprintf("what = '%s'; set label 1 '%s' at graph 0, gr
   ."plot ".notes.note('closed_form', 0, 'closed form', \
     of_what eq 'temperature' ? 'left offset 0,-1' : 'left offset 0.7,0') \
   .curve('gauss_chebyshev', 'published scheme', 3, 5) \
-  .curve('thrifty', 'thriftily', 4, 13).curve('moments', 'means for samples', 2, 9) \
+  .curve('thrifty', 'cached', 4, 13).curve('moments', 'product integration', 2, 9) \
   .curve('coupled', 'coupled', 1, 7).dot('first_order', 'one linear correction', 8) \
   .dot('closed_form', 'closed form', 4)
 speed_figure = "set logscale xy; set xrange [2:5e-12]; set yrange [4e-8:4]; " \

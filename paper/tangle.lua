@@ -2,8 +2,8 @@
 --
 --   pandoc --preserve-tabs -f paper/tangle.lua -t plain -o /dev/null paper/*.md
 --
--- A chunk is a fenced block with a name, a file, or both; blocks of one name append in order, with an
--- empty line between them:
+-- A chunk is a fenced block with a name, a file, or both; blocks of one name append in order, a
+-- block that has a title of its own after a blank line:
 --
 --   ``` {.cpp #name title="A sentence"}          ``` {.cpp file=src/x.cpp}
 --
@@ -127,8 +127,8 @@ local function expand(id, indent, out, state)
   table.insert(state.chain, id)
   state.used[id] = true
   for part, piece in ipairs(state.chunks[id]) do
-    if part > 1 then table.insert(out, "") end
     state.from[piece.source] = true
+    if part > 1 and piece.title then table.insert(out, "") end
     local fresh = true -- the next line needs a #line of its own
     for k, line in ipairs(piece.code) do
       local number = piece.line + k - 1

@@ -4,7 +4,8 @@
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
--- (all on one line; `-M revision=` may be left out). It reads, besides the chapters, build/data/*.csv,
+-- (all on one line; `-M revision=` may be left out). With `-M draft=paper/10-x.md` the page has this chapter
+-- only, numbered as in the report, and links into the others lead nowhere. It reads, besides the chapters, build/data/*.csv,
 -- build/data/values.json, build/figures/*.svg, figures/*.gp, figures/measured/*.csv and
 -- paper/style.css, and puts all of it into the page, which then needs no other file. What the chapters may write:
 --
@@ -20,7 +21,7 @@
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
--- culprit, and nothing is written.
+-- culprit, and nothing is written. A draft tells of the mistakes in its chapter and is written.
 
 local utils = pandoc.utils
 local here = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
@@ -30,6 +31,7 @@ local read = tangle.read
 -- 0. Files, messages, HTML --------------------------------------------------------------------------
 
 local chapters = {} -- { name, text }, in order
+local draft -- the name of the only chapter that is woven, or nil
 local mistakes = pandoc.List()
 
 --- "chapter:line: " of the first place where `culprit` is written out, or "".
@@ -53,9 +55,12 @@ local function complain(culprit, message, ...)
 end
 
 local function stop_on_mistakes()
+  if draft then
+    mistakes = mistakes:filter(function(text) return text:sub(1, #draft + 1) == draft .. ":" end)
+  end
   if #mistakes == 0 then return end
   io.stderr:write(table.concat(mistakes, "\n"), "\n")
-  os.exit(1)
+  if not draft then os.exit(1) end
 end
 
 local function raw(html) return pandoc.RawBlock("html", html) end
@@ -453,27 +458,12 @@ local pieces = pandoc.List() -- what the tangler sees, in order
 local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 
---- ⟨Title 12⟩: a chunk's or a piece's title and number.
-local function titled(title, number)
-  return string.format('⟨%s <span class="chunk-number">%s</span>⟩', title, number)
+local function titled(chunk, title, part)
+  return string.format('⟨%s <span class="chunk-number">%s%s</span>⟩',
+    title and html_of(inlines_of(title)) or escape(chunk.name), chunk.number, part and "." .. part or "")
 end
 
---- The title of a chunk is that of its piece. A chunk that grew from pieces with titles of their own is
---- called by its name, and they by its number and their own.
-local function name_chunk(chunk)
-  local titles = pandoc.List(chunk.pieces):filter(function(piece) return piece.title end)
-  local grown = #titles > 1
-  chunk.title = not grown and titles[1] and titles[1].title or nil
-  local plain = grown and chunk.name:gsub("-", " ") or chunk.name
-  local title = chunk.title and html_of(inlines_of(chunk.title)) or escape(plain)
-  chunk.html = titled(title, chunk.number)
-  for part, piece in ipairs(chunk.pieces) do
-    local own = grown and piece.title
-    piece.head = own and titled(html_of(inlines_of(own)), chunk.number .. "." .. part) or chunk.html
-    piece.grows = grown
-  end
-end
-
+--- A chunk whose later parts have titles of their own goes by its name; each part has its title.
 local function collect_chunks()
   for _, chapter in ipairs(chapters) do
     pieces:extend(tangle.parse(chapter.name, chapter.text))
@@ -486,6 +476,8 @@ local function collect_chunks()
                 pieces = collected[piece.id], users = {} }
       chunks[piece.id] = chunk
     end
+    if piece.title and piece ~= chunk.pieces[1] then chunk.of_parts = true end
+    chunk.title = chunk.title or piece.title
     chunk.file = chunk.file or piece.file
   end
   for _, chunk in pairs(chunks) do
@@ -503,7 +495,10 @@ local function collect_chunks()
   end
   stop_on_mistakes()
   for _, chunk in pairs(chunks) do
-    name_chunk(chunk)
+    chunk.html = titled(chunk, not chunk.of_parts and chunk.title)
+    for part, piece in ipairs(chunk.pieces) do
+      piece.html_title = chunk.of_parts and piece.title and titled(chunk, piece.title, part) or chunk.html
+    end
     labels["lst:" .. chunk.name].html = chunk.html
   end
 end
@@ -519,7 +514,7 @@ local function file_link(path) return link("file:" .. path, "<code>" .. escape(p
 local function highlighted(lines, language)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
-  local block = pandoc.CodeBlock(text, pandoc.Attr("", language and { language } or {}))
+  local block = pandoc.CodeBlock(text, pandoc.Attr("", language ~= "" and { language } or {}))
   local html = pandoc.write(pandoc.Pandoc({ block }), "html5"):match("<code[^>]*>(.*)</code>")
   local out = {}
   for line in (html .. "\n"):gmatch("(.-)\n") do
@@ -532,17 +527,33 @@ local function highlighted(lines, language)
   return out
 end
 
+--- Gives each of these parts, which have `code` and `lang`, its `html`, line by line. Pandoc is called
+--- once for all parts of a language, as each call reads the rules of the language again, which takes
+--- longer than to colour a chunk.
+local function highlight_all(parts)
+  local lines, first = {}, {} -- language -> the lines of all its parts; part -> the first of its own
+  for _, part in ipairs(parts) do
+    local language = part.lang or ""
+    lines[language] = lines[language] or pandoc.List()
+    first[part] = #lines[language] + 1
+    lines[language]:extend(part.code)
+  end
+  for language in pairs(lines) do lines[language] = highlighted(lines[language], language) end
+  for _, part in ipairs(parts) do
+    part.html = table.move(lines[part.lang or ""], first[part], first[part] + #part.code - 1, 1, {})
+  end
+end
+
 local chunk_code
 
 --- A piece's code: runs of lines, and between them references that open to the chunk's own code.
 local function piece_code(piece)
-  if piece.html then return piece.html end
+  if piece.shown then return piece.shown end
   local out, run = {}, {}
   local function flush()
     if #run > 0 then table.insert(out, "<pre><code>" .. table.concat(run, "\n") .. "\n</code></pre>") end
     run = {}
   end
-  local html = highlighted(piece.code, piece.lang)
   for k, line in ipairs(piece.code) do
     local space, name = tangle.reference(line)
     if name then
@@ -552,12 +563,12 @@ local function piece_code(piece)
         '<details class="expand" style="--indent:%d"><summary>%s</summary>\n%s</details>',
         #space, link(anchor(chunk.pieces[1]), chunk.html), chunk_code(chunk)))
     else
-      table.insert(run, html[k])
+      table.insert(run, piece.html[k])
     end
   end
   flush()
-  piece.html = table.concat(out, "\n")
-  return piece.html
+  piece.shown = table.concat(out, "\n")
+  return piece.shown
 end
 
 function chunk_code(chunk)
@@ -569,8 +580,8 @@ end
 local function joined(pieces_using)
   local seen, out = {}, {}
   for _, piece in ipairs(pieces_using) do
-    if not seen[piece.head] then table.insert(out, link(anchor(piece), piece.head)) end
-    seen[piece.head] = true
+    if not seen[piece.html_title] then table.insert(out, link(anchor(piece), piece.html_title)) end
+    seen[piece.html_title] = true
   end
   return table.concat(out, ", ")
 end
@@ -590,14 +601,14 @@ local function chunk_box(piece)
       return other and html:format(anchor(other), label, sign) or ""
     end
     parts = string.format('<span class="part">%spart %d of %d%s%s</span>',
-      piece.grows and chunk.html .. " += " or "", piece.part, #chunk.pieces,
+      chunk.of_parts and chunk.html .. " += " or "", piece.part, #chunk.pieces,
       step(chunk.pieces[piece.part - 1], "↑", "previous part"),
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
-  local class = piece.grows and piece.part > 1 and "chunk more" or "chunk"
+  local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
   return raw(string.format('<div class="%s" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', class, escape(anchor(piece)), piece.head, parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', class, escape(anchor(piece)), piece.html_title, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -615,7 +626,7 @@ local function code_block(block)
   end
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
-  local html = table.concat(highlighted(lines, block.classes[1]), "\n")
+  local html = table.concat(highlighted(lines, block.classes[1] or ""), "\n")
   return raw('<div class="code listing"><pre><code>' .. html .. "</code></pre></div>")
 end
 
@@ -654,12 +665,13 @@ local function place_bibliography(blocks)
 end
 
 local function chunk_index()
-  local function title(chunk) return (chunk.title or chunk.name):lower() .. "\0" .. chunk.name end
+  local function title(chunk)
+    return (not chunk.of_parts and chunk.title or chunk.name):lower() .. "\0" .. chunk.name
+  end
   local out = { '<ul class="index">' }
   for _, chunk in ipairs(sorted(chunks, title)) do
     local places = pandoc.List(chunk.pieces):map(function(piece)
-      local head = piece.grows and piece.head .. " " or ""
-      return link(anchor(piece), head .. where(piece))
+      return link(anchor(piece), (chunk.of_parts and piece.html_title .. " " or "") .. where(piece))
     end)
     table.insert(out, string.format("<li>%s<div><code>%s</code> · defined at %s%s%s</div></li>",
       link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name), table.concat(places, ", "),
@@ -670,39 +682,56 @@ local function chunk_index()
   return raw(table.concat(out, "\n"))
 end
 
-local function listing(id, title, note, lines, language)
+local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
     .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
-    .. "</details>", escape(id), escape(title), note, table.concat(highlighted(lines, language), "\n")))
+    .. "</details>", escape(id), escape(title), note, table.concat(html, "\n")))
+end
+
+--- The chunks with their lines in colours. References stay as they are, and the tangler takes the lines
+--- as it takes the code.
+local function coloured_chunks()
+  local coloured = {}
+  for name, parts in pairs(collected) do
+    coloured[name] = pandoc.List(parts):map(function(piece)
+      local copy = { code = {} }
+      for k, line in ipairs(piece.code) do copy.code[k] = tangle.reference(line) and line or piece.html[k] end
+      return setmetatable(copy, { __index = piece })
+    end)
+  end
+  return coloured
 end
 
 local function file_index()
-  local out = pandoc.List()
+  local out, coloured = pandoc.List(), coloured_chunks()
   for _, chunk in ipairs(sorted(chunks, function(c) return c.file or "" end)) do
     if chunk.file then
-      local lines, from = tangle.expand(collected, chunk.name)
+      local lines, from = tangle.expand(coloured, chunk.name)
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
         table.concat(from, ", "),
         link(anchor(chunk.pieces[1]), "told in " .. chunk.html))
-      out:insert(listing("file:" .. chunk.file, chunk.file, note, lines, chunk.pieces[1].lang))
+      out:insert(listing("file:" .. chunk.file, chunk.file, note, lines))
     end
   end
   return out
 end
 
 local function script_listings()
-  local out = pandoc.List()
+  local scripts = pandoc.List()
   local function script(name, note)
     local text = read("figures/" .. name .. ".gp")
     if not text then return end
     local lines = {}
     for line in text:gmatch("(.-)\n") do table.insert(lines, line) end
     -- Pandoc knows no gnuplot; the colours of R fit.
-    out:insert(listing("script:" .. name, "figures/" .. name .. ".gp", note, lines, "r"))
+    scripts:insert({ name = name, note = note, code = lines, lang = "r" })
   end
   for _, item in ipairs(drawn) do script(item.name, referred(item.id)) end
   script("style", "the style of all figures")
-  return out
+  highlight_all(scripts)
+  return scripts:map(function(item)
+    return listing("script:" .. item.name, "figures/" .. item.name .. ".gp", item.note, item.html)
+  end)
 end
 
 local function colophon(meta)
@@ -761,16 +790,35 @@ local function paragraph(block)
   return figure_alone(block) or cut_at_formulas(block) or checked_by(block)
 end
 
+--- Of the whole, in which all is numbered, keeps the chapter that is drafted, and of the chunks its own
+--- in colours.
+local function keep_draft(document)
+  local blocks, chapter = pandoc.List(), 0
+  for _, block in ipairs(document.blocks) do
+    if block.t == "Header" and block.level == 2 then chapter = chapter + 1 end
+    if chapters[chapter] and chapters[chapter].name == draft then blocks:insert(block) end
+  end
+  document.blocks = blocks
+  local own = pandoc.List(pieces):filter(function(piece) return piece.source == draft end)
+  for k = #pieces, 1, -1 do
+    pieces[k].html = pandoc.List(pieces[k].code):map(escape)
+    if pieces[k] == own[1] then next_piece = k end
+  end
+  return own
+end
+
 function Pandoc(document)
   for _, name in ipairs(PANDOC_STATE.input_files) do
     table.insert(chapters, { name = name, text = read(name) or "" })
   end
+  draft = document.meta.draft and utils.stringify(document.meta.draft)
   collect_chunks()
   -- First all that has a number, then all that refers to one.
   document.blocks = document.blocks:walk({ Header = number_heading, Para = paragraph,
                                            Table = written_table, Div = generated_table })
+  highlight_all(draft and keep_draft(document) or pieces)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
-  add_back_matter(document)
+  if draft then place_bibliography(document.blocks) else add_back_matter(document) end
   stop_on_mistakes()
   document.meta.style = raw(style)
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })

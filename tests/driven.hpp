@@ -13,8 +13,8 @@ inline thermoroll::Solution solve(const Driven& x, const thermoroll::Approach& a
   return thermoroll::solve(x, x, approach);
 }
 
-inline thermoroll::PrintedSolution solve_printed(const Driven& x,
-                                                 thermoroll::Formulation formulation,
-                                                 const thermoroll::PrintedOptions& options = {}) {
-  return thermoroll::solve_printed(x, x.traction, formulation, options);
+inline thermoroll::PublishedSolution solve_published(
+    const Driven& x, thermoroll::Formulation formulation,
+    const thermoroll::PublishedOptions& options = {}) {
+  return thermoroll::solve_published(x, x.traction, formulation, options);
 }

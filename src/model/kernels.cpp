@@ -19,8 +19,10 @@ constexpr double far = 30;  // from here on the series reaches rounding error
 /// S(y) of @eq:tail-series, |y| <= 1/far.
 double tail(double y) {
   double term = 0.5, sum = term;
-  for (int k = 1; std::abs(term) > epsilon * std::abs(sum); ++k)
-    sum += term *= y * (4.0 * k * k - 1) / (8.0 * k);
+  for (int k = 1; std::abs(term) > epsilon * std::abs(sum); ++k) {
+    term *= y * (4.0 * k * k - 1) / (8.0 * k);
+    sum += term;
+  }
   return sum;
 }
 
@@ -37,6 +39,12 @@ double K1_regular(double x) {
 }
 
 }  // namespace
+
+double M(double zeta, double eta) {
+  const double r = std::hypot(zeta, eta);
+  const double decay = zeta < 0 ? eta * eta / (r - zeta) : r + zeta;
+  return gsl_sf_bessel_K0_scaled(r) * std::exp(-decay);
+}
 
 double N1(double zeta) {
   if (!(zeta > 0)) return 0;
@@ -57,12 +65,6 @@ double N2(double zeta) {
   }
   if (x < far) return 1 / x - (gsl_sf_bessel_K1_scaled(x) - gsl_sf_bessel_K0_scaled(x));
   return (1 - tail(-1 / x) * std::sqrt(pi / (2 * x))) / x;
-}
-
-double M(double zeta, double eta) {
-  const double r = std::hypot(zeta, eta);
-  const double decay = zeta < 0 ? eta * eta / (r - zeta) : r + zeta;
-  return gsl_sf_bessel_K0_scaled(r) * std::exp(-decay);
 }
 
 double N(double zeta, double friction, Formulation formulation) {

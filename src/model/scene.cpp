@@ -8,11 +8,18 @@
 
 namespace thermoroll {
 
+/// The steel wheel on a steel rail of @tbl:steel; its friction coefficient is 0.6.
+PhysicalCase wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50}; }
+
 Scene scene_of(const PhysicalCase& c, double friction) {
   const double peclet = c.speed * c.half_width / (2 * c.diffusivity);
   const double heating =
       2 * c.expansion * (1 + c.poisson) * c.diffusivity * c.load / (c.half_width * c.conductivity);
   return {friction, peclet, heating};
+}
+
+double hertz_half_width(double load, double radius, double shear_modulus, double poisson) {
+  return std::sqrt(4 * (1 - poisson) * radius * load / (pi * shear_modulus));
 }
 
 Units units_of(const PhysicalCase& c, double friction) {
@@ -21,13 +28,6 @@ Units units_of(const PhysicalCase& c, double friction) {
   const double heat_flux = friction * slip * traction;
   return {traction, slip, heat_flux, heat_flux * c.half_width / c.conductivity};
 }
-
-double hertz_half_width(double load, double radius, double shear_modulus, double poisson) {
-  return std::sqrt(4 * (1 - poisson) * radius * load / (pi * shear_modulus));
-}
-
-/// The steel wheel on a steel rail of @tbl:steel; its friction coefficient is 0.6.
-PhysicalCase wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50}; }
 
 void require(bool allowed, const std::string& name, double value, const std::string& range) {
   if (allowed && std::isfinite(value)) return;

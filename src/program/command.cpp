@@ -337,7 +337,8 @@ std::vector<double> read_points(const std::string& text) {
 Command read_command(const std::vector<std::string>& arguments) {
   Command c;
   CLI::App program("Rolling contact of a cylinder with frictional heating", "thermoroll");
-  program.set_version_flag("--version", "thermoroll " THERMOROLL_VERSION, "print the version");
+  program.set_version_flag("--version", std::string("thermoroll ") + version(),
+                           "print the version");
   program.set_config("--config", "", "read a case from this file (TOML or INI)")
       ->type_name("FILE")
       ->check(readable_file());

@@ -36,4 +36,7 @@ void run(const Command& c);
 /// The points that a text describes, "A:B:N" or "A,B,...". Throws std::invalid_argument.
 std::vector<double> read_points(const std::string& text);
 
+/// The version and, where it is known, the revision: "0.2.0 (6d936e9)". The build writes the body.
+const char* version();
+
 }  // namespace thermoroll

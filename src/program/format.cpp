@@ -56,7 +56,7 @@ json object(const Row<T> (&rows)[n], const T& values) {
 
 json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   json o;
-  const auto* scheme = std::get_if<PrintedSolution>(&x.found);
+  const auto* scheme = std::get_if<PublishedSolution>(&x.found);
   o["method"] = name_of(method_names, x.approach.method);
   o["model"] = scheme ? json() : json(x.model);
   o["reason"] = scheme ? json() : json(x.reason);
@@ -280,7 +280,7 @@ std::string present(const Solution& x, const std::optional<FoundInSi>& physical,
 std::string present(const std::vector<Claim>& claims, Format format) {
   Table table{{"claim", "paper", "printed", "converged", "verdict"}};
   for (const Claim& c : claims)
-    table.push_back({c.claim, c.paper, c.printed, c.converged, c.verdict});
+    table.push_back({c.claim, c.paper, c.published, c.converged, c.verdict});
   if (format == Format::text) return aligned(table);
   if (format == Format::json) return claims_json(table).dump(2) + '\n';
   std::string text;

@@ -48,7 +48,7 @@ inline double decades_beyond(double lambda) { return std::max(0.0, std::log10(la
 /// By how many decades the slip zone is shorter than a hundredth of the stick zone; at most 20, as
 /// the quotient of a length next to zero is infinite.
 inline double decades_shorter(const ZoneLengths& at) {
-  return std::clamp(std::log10(at.stick / at.slip) - 2, 0.0, 20.0);
+  return std::min(std::max(0.0, std::log10(at.stick / at.slip) - 2), 20.0);  // 0 for NaN
 }
 
 /// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids

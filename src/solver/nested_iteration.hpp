@@ -1,4 +1,4 @@
-// Tangled from paper/07-printed-scheme.md; edit there.
+// Tangled from paper/07-published-scheme.md; edit there.
 #pragma once
 
 #include <algorithm>
@@ -12,49 +12,49 @@
 /// beside it.
 namespace thermoroll {
 
-/// No slip, and Carter's border. Throws std::invalid_argument.
-inline PrintedSolution before_iterating(const Scene& scene, double traction,
-                                        const PrintedOptions& options) {
-  check(scene);
-  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
-  PrintedSolution x;
-  x.grid = gauss_chebyshev(options.nodes);
-  x.c0 = carter(scene.friction, traction).c0;
-  x.slip = Eigen::VectorXd::Zero(options.nodes);
-  return x;
-}
-
-/// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in x.
+/// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in the solution.
 template <class Problem>
-bool find_border(Problem& problem, PrintedSolution& x, const PrintedOptions& options) {
+bool find_border(Problem& problem, PublishedSolution& solution, const PublishedOptions& options) {
   const double wanted = problem.scene.friction - problem.traction;
   for (int step = 1; step <= options.max_inner; ++step) {
-    x.inner_iterations = std::max(x.inner_iterations, step);
-    solve_normal(problem, x);
-    solve_stick(problem, x);
-    const double b = (1 + x.c0) / 2, found = -b * x.grid.w.dot(x.phi0);
-    x.steps.push_back({x.c0, problem.scene.friction - found});
+    solution.inner_iterations = std::max(solution.inner_iterations, step);
+    solve_normal(problem, solution);
+    solve_stick(problem, solution);
+    const double b = (1 + solution.c0) / 2, found = -b * solution.grid.w.dot(solution.phi0);
+    solution.steps.push_back({solution.c0, problem.scene.friction - found});
     if (std::abs(found - wanted) <= options.tolerance * problem.traction) return true;
     if (!(found > 0)) return false;
-    x.c0 = 2 * std::min(b * std::sqrt(wanted / found), 1.0) - 1;
+    solution.c0 = 2 * std::min(b * std::sqrt(wanted / found), 1.0) - 1;
   }
   return false;
 }
 
 template <class Problem>
-void iterate(Problem& problem, PrintedSolution& x, const PrintedOptions& options) {
+void iterate(Problem& problem, PublishedSolution& solution, const PublishedOptions& options) {
   int failures = 0;
-  while (!x.converged && failures < options.max_failures &&
-         x.outer_iterations < options.max_outer) {
-    ++x.outer_iterations;
-    const bool found = find_border(problem, x, options);
+  while (!solution.converged && failures < options.max_failures &&
+         solution.outer_iterations < options.max_outer) {
+    ++solution.outer_iterations;
+    const bool found = find_border(problem, solution, options);
     if (!found) ++failures;
-    const Eigen::VectorXd v = slip_velocity(problem, x);
-    const double change = (v - x.slip).lpNorm<Eigen::Infinity>();
-    x.slip = v;
-    x.converged = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
+    const Eigen::VectorXd v = slip_velocity(problem, solution);
+    const double change = (v - solution.slip).lpNorm<Eigen::Infinity>();
+    solution.slip = v;
+    solution.converged = found && change <= options.tolerance * v.lpNorm<Eigen::Infinity>();
   }
-  x.creep = x.creep_constant - problem.scene.friction * x.gamma0;
+  solution.creep = solution.creep_constant - problem.scene.friction * solution.gamma0;
+}
+
+/// No slip, and Carter's border. Throws std::invalid_argument.
+inline PublishedSolution before_iterating(const Scene& scene, double traction,
+                                          const PublishedOptions& options) {
+  check(scene);
+  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
+  PublishedSolution solution;
+  solution.grid = gauss_chebyshev(options.nodes);
+  solution.c0 = carter(scene.friction, traction).c0;
+  solution.slip = Eigen::VectorXd::Zero(options.nodes);
+  return solution;
 }
 
 }  // namespace thermoroll

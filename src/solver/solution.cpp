@@ -70,13 +70,13 @@ Solution solve_closed_form(const Scene& scene, const Approach& approach, const P
   return {scene, approach, value, error, c, true, name_of(Model::closed_form), "asked for"};
 }
 
-PrintedSolution run_scheme(const Scene& scene, double traction, const Approach& approach) {
+PublishedSolution run_scheme(const Scene& scene, double traction, const Approach& approach) {
   const int n = approach.nodes;
   require(3 <= n && n <= 5000, "nodes", n, "from 3 to 5000");
-  PrintedOptions options;
+  PublishedOptions options;
   options.nodes = n;
   try {
-    return solve_printed(scene, traction, approach.formulation, options);
+    return solve_published(scene, traction, approach.formulation, options);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error("gauss-chebyshev with " + std::to_string(n) + " nodes needs " +
                              fixed(4e-6 * n * n * sizeof(double), 0) +
@@ -85,8 +85,8 @@ PrintedSolution run_scheme(const Scene& scene, double traction, const Approach& 
 }
 
 Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approach& approach) {
-  const PrintedSolution x = run_scheme(scene, traction, approach);
-  const PrintedPeak top = printed_max_temperature(x, scene.peclet);
+  const PublishedSolution x = run_scheme(scene, traction, approach);
+  const PublishedPeak top = published_max_temperature(x, scene.peclet);
   const double eccentricity = pi * x.gamma0 / (2 * x.load_ratio), heat = node_heat(x).sum();
   const Results value{traction,     x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
                       eccentricity, heat, top.temperature,  top.at};
@@ -95,12 +95,12 @@ Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approa
   return solution;
 }
 
-Curve scheme_curve(const Scene& scene, const PrintedSolution& x, const std::vector<double>& at) {
+Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::vector<double>& at) {
   Curve curve{{}, x.converged};
   for (const double s : at) {
-    PrintedSolution others = x;
+    PublishedSolution others = x;
     others.slip = ((x.grid.t.array() - s).abs() <= 4 * epsilon).select(0, x.slip);
-    curve.points.push_back({s, printed_temperature(others, scene.peclet, s), std::nullopt});
+    curve.points.push_back({s, published_temperature(others, scene.peclet, s), std::nullopt});
   }
   return curve;
 }
@@ -137,12 +137,12 @@ Peaks carter_peaks(const Carter& c) {
           carter_flux(c).density(2 * h * u, 2 * h * (1 - u))};
 }
 
-Peaks scheme_peaks(const PrintedSolution& x, double friction) {
+Peaks scheme_peaks(const PublishedSolution& x, double friction) {
   Peaks peak{0, 0, 0};
   for (Eigen::Index k = 0; k < x.grid.t.size(); ++k) {
-    const double s = x.grid.t(k), pressure = printed_pressure(x, s);
+    const double s = x.grid.t(k), pressure = published_pressure(x, s);
     peak.pressure = std::max(peak.pressure, pressure);
-    peak.traction = std::max(peak.traction, printed_traction(x, friction, s));
+    peak.traction = std::max(peak.traction, published_traction(x, friction, s));
     peak.heat_flux = std::max(peak.heat_flux, pressure * x.slip(k));
   }
   return peak;
@@ -255,7 +255,7 @@ Peaks largest(const SmoothTractions& by, double friction) {
 }
 
 FoundPeaks peaks(const Solution& x) {
-  if (const auto* scheme = std::get_if<PrintedSolution>(&x.found))
+  if (const auto* scheme = std::get_if<PublishedSolution>(&x.found))
     return {scheme_peaks(*scheme, x.scene.friction), std::nullopt};
   if (const auto* found = std::get_if<CoupledSolution>(&x.found)) return found_peaks(x, *found);
   const Peaks exact = carter_peaks(std::get<Carter>(x.found));
@@ -313,7 +313,7 @@ double half_width_of_radius(PhysicalCase c, double radius, double friction, cons
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {
   require(depth >= 0, "depth", depth, "zero or positive");
-  if (const auto* scheme = std::get_if<PrintedSolution>(&x.found)) {
+  if (const auto* scheme = std::get_if<PublishedSolution>(&x.found)) {
     require(depth == 0, "depth", depth, "0 with gauss-chebyshev, whose rule is for the surface");
     return scheme_curve(x.scene, *scheme, at);
   }

@@ -16,6 +16,31 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// N1 and N2 from each of the first nodes at a point.
+struct KernelRow {
+  ArrayXd n1, n2;
+};
+
+KernelRow sampled(const Grid& g, double peclet, double s, Index count) {
+  KernelRow row{ArrayXd::Zero(count), ArrayXd::Zero(count)};
+  for (Index k = 0; k < count; ++k)
+    if (const double zeta = peclet * (g.t(k) - s); zeta != 0) {
+      const auto [n1, n2] = fast_slope_and_strain(zeta);
+      row.n1(k) = n1;
+      row.n2(k) = n2;
+    }
+  return row;
+}
+
+/// Means under the hats of the inner knots, all given as zeta = Pe (t - s), descending, of the
+/// kernel whose second antiderivative is given.
+ArrayXd under_hats(const ArrayXd& zeta, double (*twice)(double)) {
+  const Index n = zeta.size() - 2;
+  const ArrayXd b = zeta.unaryExpr(twice), length = zeta.head(n + 1) - zeta.tail(n + 1);
+  const ArrayXd slope = (b.head(n + 1) - b.tail(n + 1)) / length;
+  return 2 * (slope.head(n) - slope.tail(n)) / (length.head(n) + length.tail(n));
+}
+
 double slope_twice(double zeta) {
   if (zeta <= 0) return 0;
   const double n1 = fast_slope_and_strain(zeta).n1;
@@ -35,30 +60,6 @@ double temperature_twice(double zeta) {
   return zeta / 3 * (1 + 2 * zeta * (2 * m - n2) + n2 - m);
 }
 
-/// Means under the hats of the inner knots, all given as zeta = Pe (t - s), descending, of the
-/// kernel whose second antiderivative is given.
-ArrayXd under_hats(const ArrayXd& zeta, double (*twice)(double)) {
-  const Index n = zeta.size() - 2;
-  const ArrayXd b = zeta.unaryExpr(twice), length = zeta.head(n + 1) - zeta.tail(n + 1);
-  const ArrayXd slope = (b.head(n + 1) - b.tail(n + 1)) / length;
-  return 2 * (slope.head(n) - slope.tail(n)) / (length.head(n) + length.tail(n));
-}
-
-/// N1 and N2 from each of the first nodes at a point.
-struct KernelRow {
-  ArrayXd n1, n2;
-};
-
-KernelRow sampled(const Grid& g, double peclet, double s, Index count) {
-  KernelRow row{ArrayXd::Zero(count), ArrayXd::Zero(count)};
-  for (Index k = 0; k < count; ++k)
-    if (const double zeta = peclet * (g.t(k) - s); zeta != 0) {
-      const auto [n1, n2] = fast_slope_and_strain(zeta);
-      row.n1(k) = n1, row.n2(k) = n2;
-    }
-  return row;
-}
-
 /// Pe (t - s) for the first nodes and their neighbours, the ends of the contact among them.
 ArrayXd knots(const Grid& g, double peclet, double s, Index count) {
   ArrayXd t(g.t.size() + 2);
@@ -71,27 +72,27 @@ KernelRow averaged(const Grid& g, double peclet, double s, Index count) {
   return {under_hats(zeta, slope_twice), under_hats(zeta, strain_twice)};
 }
 
-struct Kept {
+struct CachedProblem {
   Scene scene;
   double traction;
   Formulation formulation;
   KernelRow (*row)(const Grid&, double peclet, double s, Index count);
-  MatrixXd normal;                      // of the normal system without heat
-  MatrixXd slope;                       // eps f Pe H N1 from every node at every collocation point
-  MatrixXd strain;                      // f Pe H N from node to node
+  MatrixXd normal;  // of the normal system without heat
+  MatrixXd slope;   // sigma_N f Pe H N1 from every node at every collocation point
+  MatrixXd strain;  // f Pe H N from node to node
   Eigen::PartialPivLU<MatrixXd> stick;  // of the stick system
   VectorXd solved_for;                  // the hot slip of the last normal system
 };
 
 /// f Pe H N from each of the first nodes at the point s, @eq:N.
-ArrayXd strain_row(const Kept& kept, const Grid& g, double s, Index count) {
-  const auto& [friction, peclet, heating] = kept.scene;
-  const auto [n1, n2] = kept.row(g, peclet, s, count);
-  return friction * peclet * heating * (n2 / pi - slope_sign(kept.formulation) * friction * n1);
+ArrayXd strain_row(const CachedProblem& cached, const Grid& g, double s, Index count) {
+  const auto& [friction, peclet, heating] = cached.scene;
+  const auto [n1, n2] = cached.row(g, peclet, s, count);
+  return friction * peclet * heating * (n2 / pi - slope_sign(cached.formulation) * friction * n1);
 }
 
-Kept keep(const Scene& scene, double traction, Formulation formulation, NodeKernel kernel,
-          const Grid& g) {
+CachedProblem cache(const Scene& scene, double traction, Formulation formulation, NodeKernel kernel,
+                    const Grid& g) {
   const Index n = g.t.size();
   const double strength = slope_sign(formulation) * scene.friction * scene.peclet * scene.heating;
   MatrixXd normal(n + 2, n + 2), stick(n + 1, n + 1);
@@ -99,50 +100,53 @@ Kept keep(const Scene& scene, double traction, Formulation formulation, NodeKern
   stick << cauchy_matrix(g), VectorXd::Constant(n + 1, -1);
   const auto row = kernel == NodeKernel::sample ? sampled : averaged;
   MatrixXd slope(n + 1, n), strain(n, n);
-  Kept kept{scene, traction, formulation, row, normal, slope, strain, stick.partialPivLu(), {}};
+  const auto factors = stick.partialPivLu();
+  CachedProblem cached{scene, traction, formulation, row, normal, slope, strain, factors, {}};
   for (Index m = 0; m <= n; ++m)
-    kept.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
-  for (Index j = 0; j < n; ++j) kept.strain.row(j) = strain_row(kept, g, g.t(j), n).transpose();
-  return kept;
+    cached.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
+  for (Index j = 0; j < n; ++j) cached.strain.row(j) = strain_row(cached, g, g.t(j), n).transpose();
+  return cached;
 }
 
-Index hot_nodes(const PrintedSolution& x) { return (x.grid.t.array() > x.c0).count(); }
-
-void solve_normal(Kept& kept, PrintedSolution& x) {
-  const VectorXd slip = hot_slip(x);
-  if (kept.solved_for.size() > 0 && slip == kept.solved_for) return;
-  kept.solved_for = slip;
+void solve_normal(CachedProblem& cached, PublishedSolution& solution) {
+  const VectorXd slip = hot_slip(solution);
+  if (cached.solved_for.size() > 0 && slip == cached.solved_for) return;
+  cached.solved_for = slip;
   const Index n = slip.size();
-  MatrixXd a = kept.normal;
-  a.topLeftCorner(n + 1, n) += kept.slope * slip.asDiagonal();
+  MatrixXd a = cached.normal;
+  a.topLeftCorner(n + 1, n) += cached.slope * slip.asDiagonal();
   const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
-  x.phi = unknown.head(n);
-  x.gamma0 = unknown(n);
-  x.load_ratio = unknown(n + 1);
+  solution.phi = unknown.head(n);
+  solution.gamma0 = unknown(n);
+  solution.load_ratio = unknown(n + 1);
 }
 
-void solve_stick(const Kept& kept, PrintedSolution& x) {
-  const Index n = x.grid.t.size(), hot = hot_nodes(x);
-  const VectorXd heat = node_heat(x).head(hot);
-  VectorXd right = (1 + x.c0) / 2 * x.grid.s.array() - (1 - x.c0) / 2;
+Index hot_nodes(const PublishedSolution& solution) {
+  return (solution.grid.t.array() > solution.c0).count();
+}
+
+void solve_stick(const CachedProblem& cached, PublishedSolution& solution) {
+  const Index n = solution.grid.t.size(), hot = hot_nodes(solution);
+  const VectorXd heat = node_heat(solution).head(hot);
+  VectorXd right = (1 + solution.c0) / 2 * solution.grid.s.array() - (1 - solution.c0) / 2;
   for (double& s : right)
-    s = 2 * kept.scene.friction / pi * x.load_ratio * s -
-        strain_row(kept, x.grid, s, hot).matrix().dot(heat);
-  const VectorXd unknown = kept.stick.solve(right);
-  x.phi0 = unknown.head(n);
-  x.creep_constant = unknown(n);
+    s = 2 * cached.scene.friction / pi * solution.load_ratio * s -
+        strain_row(cached, solution.grid, s, hot).matrix().dot(heat);
+  const VectorXd unknown = cached.stick.solve(right);
+  solution.phi0 = unknown.head(n);
+  solution.creep_constant = unknown(n);
 }
 
-VectorXd slip_velocity(const Kept& kept, const PrintedSolution& x) {
-  const auto& [t, w, s] = x.grid;
-  const Index hot = hot_nodes(x);
-  const VectorXd mass = w.cwiseProduct(x.phi0) / pi;
+VectorXd slip_velocity(const CachedProblem& cached, const PublishedSolution& solution) {
+  const auto& [t, w, s] = solution.grid;
+  const Index hot = hot_nodes(solution);
+  const VectorXd mass = w.cwiseProduct(solution.phi0) / pi;
   VectorXd v = VectorXd::Zero(t.size());
-  const double slope = 2 * kept.scene.friction / pi * x.load_ratio;
-  v.head(hot) = x.creep_constant + slope * t.head(hot).array();
-  v.head(hot) -= kept.strain.topLeftCorner(hot, hot) * node_heat(x).head(hot);
+  const double slope = 2 * cached.scene.friction / pi * solution.load_ratio;
+  v.head(hot) = solution.creep_constant + slope * t.head(hot).array();
+  v.head(hot) -= cached.strain.topLeftCorner(hot, hot) * node_heat(solution).head(hot);
   for (Index j = 0; j < hot; ++j) {
-    const double tau = (2 * t(j) + 1 - x.c0) / (1 + x.c0);
+    const double tau = (2 * t(j) + 1 - solution.c0) / (1 + solution.c0);
     v(j) -= (mass.array() / (t.array() - tau)).sum();
   }
   return v;
@@ -150,21 +154,22 @@ VectorXd slip_velocity(const Kept& kept, const PrintedSolution& x) {
 
 }  // namespace
 
-PrintedSolution solve_thrifty(const Scene& scene, double traction, Formulation formulation,
-                              NodeKernel kernel, const PrintedOptions& options) {
+PublishedSolution solve_cached(const Scene& scene, double traction, Formulation formulation,
+                               NodeKernel kernel, const PublishedOptions& options) {
   require(options.heaviside_at_zero == 0, "heaviside_at_zero", options.heaviside_at_zero, "zero");
-  PrintedSolution x = before_iterating(scene, traction, options);
-  Kept kept = keep(scene, traction, formulation, kernel, x.grid);
-  iterate(kept, x, options);
-  return x;
+  PublishedSolution solution = before_iterating(scene, traction, options);
+  CachedProblem cached = cache(scene, traction, formulation, kernel, solution.grid);
+  iterate(cached, solution, options);
+  return solution;
 }
 
-PrintedPeak thrifty_max_temperature(const PrintedSolution& x, double peclet, NodeKernel kernel) {
-  const Index hot = hot_nodes(x);
-  const ArrayXd heat = node_heat(x).head(hot);
-  PrintedPeak peak{0, 0};
-  for (const double s : x.grid.s) {
-    const ArrayXd zeta = knots(x.grid, peclet, s, hot);
+PublishedPeak cached_max_temperature(const PublishedSolution& solution, double peclet,
+                                     NodeKernel kernel) {
+  const Index hot = hot_nodes(solution);
+  const ArrayXd heat = node_heat(solution).head(hot);
+  PublishedPeak peak{0, 0};
+  for (const double s : solution.grid.s) {
+    const ArrayXd zeta = knots(solution.grid, peclet, s, hot);
     const ArrayXd m = kernel == NodeKernel::mean
                           ? under_hats(zeta, temperature_twice)
                           : zeta.segment(1, hot).unaryExpr(&fast_temperature);

@@ -10,12 +10,13 @@ namespace thermoroll {
 enum class NodeKernel { sample, mean };
 
 /// The published scheme with tabulated kernels and nothing computed twice. With NodeKernel::sample
-/// the results are those of solve_printed to rounding. Throws std::invalid_argument for a scene, a
-/// traction or a node count out of range, or options.heaviside_at_zero other than zero.
-PrintedSolution solve_thrifty(const Scene& scene, double traction, Formulation formulation,
-                              NodeKernel kernel, const PrintedOptions& options = {});
+/// the results are those of solve_published to rounding. Throws std::invalid_argument for a scene,
+/// a traction or a node count out of range, or options.heaviside_at_zero other than zero.
+PublishedSolution solve_cached(const Scene& scene, double traction, Formulation formulation,
+                               NodeKernel kernel, const PublishedOptions& options = {});
 
 /// The largest temperature at the collocation points, with the kernel M sampled or averaged.
-PrintedPeak thrifty_max_temperature(const PrintedSolution& x, double peclet, NodeKernel kernel);
+PublishedPeak cached_max_temperature(const PublishedSolution& solution, double peclet,
+                                     NodeKernel kernel);
 
 }  // namespace thermoroll

@@ -11,45 +11,6 @@
 
 namespace thermoroll {
 
-std::string verdict_on(const std::string& paper, double ours) {
-  const double percent = 100 * (std::stod(paper) / ours - 1);
-  if (std::abs(percent) < 0.5) return "holds";
-  const std::size_t point = paper.find('.');
-  const std::size_t decimals = point == paper.npos ? 0 : paper.size() - point - 1;
-  if (fixed(ours, static_cast<int>(decimals)) == paper) return "holds, rounded";
-  return "paper " + fixed(std::abs(percent), 1) + " % " + (percent > 0 ? "high" : "low");
-}
-
-std::string verdict(bool holds, const std::string& how) {
-  if (!holds) return "does not hold";
-  return how.empty() ? "holds" : "holds, " + how;
-}
-
-Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
-  const std::string bound = std::to_string(most);
-  return {"to 0.1 %, at most " + bound + " iterations on " + unknown, bound, std::to_string(found),
-          "–", verdict(converged && found <= most)};
-}
-
-double speed_at(double pe) {
-  const PhysicalCase steel = wheel_on_rail();
-  return 2 * steel.diffusivity * pe / steel.half_width;
-}
-
-double celsius_per_unit(double speed) {
-  PhysicalCase steel = wheel_on_rail();
-  steel.speed = speed;
-  return units_of(steel, paper::friction).temperature;
-}
-
-double celsius_per_unit_at(double pe) { return celsius_per_unit(speed_at(pe)); }
-
-double rolling_to_sliding(double q) {
-  const Carter c = paper::closed_form(q);
-  return max_temperature(carter_flux(c), 1000).temperature.value /
-         max_temperature(sliding_flux(carter_heat(c)), 1000).temperature.value;
-}
-
 namespace {
 
 using Claims = std::vector<Claim>;
@@ -57,9 +18,20 @@ using Eigen::ArrayXd;
 
 std::string yes(bool holds) { return holds ? "yes" : "no"; }
 
+/// The integral of s^power v* p* / sqrt(1 - s^2) over Carter's slip zone, @eq:first-order.
+double moment(const Carter& c, int power) {
+  const HeatFlux flux = carter_flux(c);
+  const double length = flux.to - flux.from;
+  const auto integrand = [&](double left) {
+    const double right = length - left, s = flux.from + left;
+    return std::pow(s, power) * flux.density(left, right) / std::sqrt(right * (1 + s));
+  };
+  return integrate(integrand, {0, length}).value;
+}
+
 struct Case {
   double traction, peclet;
-  PrintedSolution coarse, fine;  // by the published scheme, n = 50 and 200
+  PublishedSolution coarse, fine;  // by the published scheme, n = 50 and 200
   CoupledSolution coupled;
   Profile profile;  // of the coupled solution
 };
@@ -140,7 +112,7 @@ Claim on_phases() {
 
 Claims on_variation(const std::vector<Case>& cases) {
   const auto of_scheme = [](const Case& x) {
-    return printed_max_temperature(x.fine, x.peclet).temperature;
+    return published_max_temperature(x.fine, x.peclet).temperature;
   };
   const bool scheme = rises(cases, of_scheme);
   const bool converged = rises(cases, [](const Case& x) { return x.coupled.value(hottest); });
@@ -160,24 +132,26 @@ bool positive_behind(double c0, const ArrayXd& s, const ArrayXd& slip) {
   return (s <= c0 || slip > 0).all();
 }
 
-bool below_the_limit(const PrintedSolution& x) {
-  return std::all_of(x.grid.s.begin(), x.grid.s.end(), [&](double s) {
-    const double q = printed_traction(x, paper::friction, s);
-    return s >= x.c0 || std::abs(q) < paper::friction * printed_pressure(x, s);
+bool below_the_limit(const PublishedSolution& solution) {
+  return std::all_of(solution.grid.s.begin(), solution.grid.s.end(), [&](double s) {
+    const double q = published_traction(solution, paper::friction, s);
+    return s >= solution.c0 || std::abs(q) < paper::friction * published_pressure(solution, s);
   });
 }
 
-bool below_the_limit(double c0, const Profile& x) {
-  return (x.s >= c0 || x.traction.abs() < paper::friction * x.pressure).all();
+bool below_the_limit(double c0, const Profile& profile) {
+  return (profile.s >= c0 || profile.traction.abs() < paper::friction * profile.pressure).all();
 }
 
 Claims on_slip(const std::vector<Case>& cases) {
-  const bool zero_scheme = every_run(
-      cases, [](const PrintedSolution& x) { return zero_before(x.c0, x.grid.t, x.slip); });
+  const bool zero_scheme = every_run(cases, [](const PublishedSolution& solution) {
+    return zero_before(solution.c0, solution.grid.t, solution.slip);
+  });
   const bool sticks_scheme =
-      every_run(cases, [](const PrintedSolution& x) { return below_the_limit(x); });
-  const bool slips_scheme = every_run(
-      cases, [](const PrintedSolution& x) { return positive_behind(x.c0, x.grid.t, x.slip); });
+      every_run(cases, [](const PublishedSolution& solution) { return below_the_limit(solution); });
+  const bool slips_scheme = every_run(cases, [](const PublishedSolution& solution) {
+    return positive_behind(solution.c0, solution.grid.t, solution.slip);
+  });
   const bool zero = every(cases, [](const Case& x) {
     return zero_before(x.coupled.value(border), x.profile.s, x.profile.slip);
   });
@@ -211,11 +185,11 @@ Claims on_deformation() {
 }
 
 /// Count a run of case x; returns the error of its T*max in per cent.
-double count(Record& record, const Case& x, const PrintedSolution& run) {
+double count(Record& record, const Case& x, const PublishedSolution& run) {
   record.outer = std::max(record.outer, run.outer_iterations);
   record.inner = std::max(record.inner, run.inner_iterations);
   record.converged = record.converged && run.converged;
-  const double found = printed_max_temperature(run, x.peclet).temperature;
+  const double found = published_max_temperature(run, x.peclet).temperature;
   return 100 * std::abs(found / x.coupled.value(hottest) - 1);
 }
 
@@ -238,17 +212,6 @@ Claims on_the_iteration(const std::vector<Case>& cases) {
            "–", verdict(x.converged, exact ? "" : "for the iteration, not for T*max")}};
 }
 
-/// The integral of s^power v* p* / sqrt(1 - s^2) over Carter's slip zone, @eq:first-order.
-double moment(const Carter& c, int power) {
-  const HeatFlux flux = carter_flux(c);
-  const double length = flux.to - flux.from;
-  const auto integrand = [&](double left) {
-    const double right = length - left, s = flux.from + left;
-    return std::pow(s, power) * flux.density(left, right) / std::sqrt(right * (1 + s));
-  };
-  return integrate(integrand, {0, length}).value;
-}
-
 }  // namespace
 
 double first_order_load_change(double q) {
@@ -261,7 +224,46 @@ double first_order_gamma0(double q) {
   return -sign * paper::friction * paper::heating / pi * moment(paper::closed_form(q), 0);
 }
 
+std::string verdict_on(const std::string& paper, double ours) {
+  const double percent = 100 * (std::stod(paper) / ours - 1);
+  if (std::abs(percent) < 0.5) return "holds";
+  const std::size_t point = paper.find('.');
+  const std::size_t decimals = point == paper.npos ? 0 : paper.size() - point - 1;
+  if (fixed(ours, static_cast<int>(decimals)) == paper) return "holds, rounded";
+  return "paper " + fixed(std::abs(percent), 1) + " % " + (percent > 0 ? "high" : "low");
+}
+
+std::string verdict(bool holds, const std::string& how) {
+  if (!holds) return "does not hold";
+  return how.empty() ? "holds" : "holds, " + how;
+}
+
+double speed_at(double pe) {
+  const PhysicalCase steel = wheel_on_rail();
+  return 2 * steel.diffusivity * pe / steel.half_width;
+}
+
+double celsius_per_unit(double speed) {
+  PhysicalCase steel = wheel_on_rail();
+  steel.speed = speed;
+  return units_of(steel, paper::friction).temperature;
+}
+
+double celsius_per_unit_at(double pe) { return celsius_per_unit(speed_at(pe)); }
+
+double rolling_to_sliding(double q) {
+  const Carter c = paper::closed_form(q);
+  return max_temperature(carter_flux(c), 1000).temperature.value /
+         max_temperature(sliding_flux(carter_heat(c)), 1000).temperature.value;
+}
+
 Record scheme_record() { return record_of(sixteen_cases()); }
+
+Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
+  const std::string bound = std::to_string(most);
+  return {"to 0.1 %, at most " + bound + " iterations on " + unknown, bound, std::to_string(found),
+          "–", verdict(converged && found <= most)};
+}
 
 std::vector<Claim> claims() {
   const std::vector<Case> cases = sixteen_cases();

@@ -10,7 +10,7 @@ namespace thermoroll {
 struct Claim {
   std::string claim;      ///< what the paper says
   std::string paper;      ///< its value
-  std::string printed;    ///< the published scheme's value, run again
+  std::string published;  ///< the published scheme's value, run again
   std::string converged;  ///< the converged value
   std::string verdict;
 };

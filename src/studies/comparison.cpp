@@ -23,19 +23,19 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Formulation sign = Formulation::corrected;
 constexpr double pull = 0.5;  // Q*, in every regime
 
-Found found(const PrintedSolution& x, const PrintedPeak& top) {
-  if (!x.converged) return {nan, nan, nan};
-  return {x.load_ratio, top.temperature, x.creep};
+Found found(const PublishedSolution& solution, const PublishedPeak& top) {
+  if (!solution.converged) return {nan, nan, nan};
+  return {solution.load_ratio, top.temperature, solution.creep};
 }
 
 Found as_described(const Scene& scene, int nodes) {
-  const PrintedSolution x = solve_printed(scene, pull, sign, {nodes});
-  return found(x, printed_max_temperature(x, scene.peclet));
+  const PublishedSolution solution = solve_published(scene, pull, sign, {nodes});
+  return found(solution, published_max_temperature(solution, scene.peclet));
 }
 
-Found thriftily(const Scene& scene, int nodes, NodeKernel kernel) {
-  const PrintedSolution x = solve_thrifty(scene, pull, sign, kernel, {nodes});
-  return found(x, thrifty_max_temperature(x, scene.peclet, kernel));
+Found cached(const Scene& scene, int nodes, NodeKernel kernel) {
+  const PublishedSolution solution = solve_cached(scene, pull, sign, kernel, {nodes});
+  return found(solution, cached_max_temperature(solution, scene.peclet, kernel));
 }
 
 Found found(const CoupledSolution& x) {
@@ -70,6 +70,33 @@ Run coupled_run(const Scene& scene, double tolerance) {
 
 }  // namespace
 
+std::vector<Sample> random_scenes(int count) {
+  std::mt19937_64 random(20020101);
+  const auto log_uniform = [&](double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  std::vector<Sample> scenes;
+  for (int i = 0; i < count; ++i) {
+    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
+    const Scene scene{f, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+    scenes.push_back(
+        {scene, f * share, random() % 2 ? Formulation::printed : Formulation::corrected});
+  }
+  return scenes;
+}
+
+std::vector<std::pair<Scene, Run>> cost_runs() {
+  std::vector<std::pair<Scene, Run>> all;
+  for (const double heating : {0.0175, 1.0})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      for (int decade = -1; decade <= 6; ++decade) {
+        const double peclet = std::pow(10, decade);
+        const Scene scene{paper::friction, peclet, heating};
+        all.emplace_back(scene, coupled_run(scene, tolerance));
+      }
+  return all;
+}
+
 std::vector<Run> runs(const Regime& regime) {
   const Scene scene{paper::friction, regime.peclet, regime.heating};
   const std::string at = where(scene);
@@ -85,38 +112,11 @@ std::vector<Run> runs(const Regime& regime) {
          {std::pair{"thrifty", NodeKernel::sample}, {"moments", NodeKernel::mean}})
       all.push_back({method, static_cast<double>(n),
                      std::string("gauss_chebyshev_") + method + with,
-                     [=, kernel = kernel] { return thriftily(scene, n, kernel); }});
+                     [=, kernel = kernel] { return cached(scene, n, kernel); }});
   }
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})
     all.push_back(coupled_run(scene, tolerance));
   return all;
-}
-
-std::vector<std::pair<Scene, Run>> cost_runs() {
-  std::vector<std::pair<Scene, Run>> all;
-  for (const double heating : {0.0175, 1.0})
-    for (const double tolerance : {1e-4, 1e-6, 1e-8})
-      for (int decade = -1; decade <= 6; ++decade) {
-        const double peclet = std::pow(10, decade);
-        const Scene scene{paper::friction, peclet, heating};
-        all.emplace_back(scene, coupled_run(scene, tolerance));
-      }
-  return all;
-}
-
-std::vector<Sample> random_scenes(int count) {
-  std::mt19937_64 random(20020101);
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
-  std::vector<Sample> scenes;
-  for (int i = 0; i < count; ++i) {
-    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
-    const Scene scene{f, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
-    scenes.push_back(
-        {scene, f * share, random() % 2 ? Formulation::printed : Formulation::corrected});
-  }
-  return scenes;
 }
 
 Found reference(const Regime& regime) {

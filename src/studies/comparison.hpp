@@ -50,7 +50,7 @@ struct Sample {
 /// Scenes of the ranges of @tbl:random-scenes; always the same.
 std::vector<Sample> random_scenes(int count);
 
-/// What the methods are compared with: the coupled solver at its least tolerance.
+/// The reference of all methods: the coupled solver at its least tolerance.
 Found reference(const Regime& regime);
 
 /// Errors of the coupled solver on Carter's problem with f = 0.3 and a stick zone of 0.6 a: the

@@ -32,7 +32,7 @@ void claims_table(std::ostream& out) {
   row(out, "the paper says", "paper", "published scheme", "converged", "verdict");
   const auto cell = [](const std::string& text) { return '"' + in_tex(text) + '"'; };
   for (const Claim& c : claims())
-    row(out, cell(c.claim), cell(c.paper), cell(c.printed), cell(c.converged), cell(c.verdict));
+    row(out, cell(c.claim), cell(c.paper), cell(c.published), cell(c.converged), cell(c.verdict));
 }
 
 const FigureData claims_data{"claims", claims_table};

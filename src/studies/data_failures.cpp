@@ -39,9 +39,9 @@ void arithmetic(std::ostream& out) {
   const auto M = [](double zeta) { return kernel::M(zeta); };
   for (const double decade : grid(-12, 12, 96)) {
     const double x = std::pow(10, decade);
-    row(out, x, most_lost(typed::N1, kernel::N1, x), most_lost(scaled::N1, kernel::N1, x),
-        most_lost(typed::N2, kernel::N2, -x), most_lost(scaled::N2, kernel::N2, -x),
-        most_lost(typed::M, M, -x), most_lost(scaled::M, M, -x));
+    row(out, x, most_lost(naive::N1, kernel::N1, x), most_lost(naive_scaled::N1, kernel::N1, x),
+        most_lost(naive::N2, kernel::N2, -x), most_lost(naive_scaled::N2, kernel::N2, -x),
+        most_lost(naive::M, M, -x), most_lost(naive_scaled::M, M, -x));
   }
 }
 
@@ -77,23 +77,23 @@ void values_on_resolution(nlohmann::ordered_json& v) {
   }
 }
 
-PrintedSolution cycling(int nodes) {
-  return solve_printed({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
+PublishedSolution cycling(int nodes) {
+  return solve_published({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
 }
 
 void cycle(std::ostream& out) {
   row(out, "nodes", "step", "c0", "traction");
   for (const int nodes : {89, 90, 91}) {
-    const PrintedSolution x = cycling(nodes);
-    for (std::size_t i = 0; i < std::min<std::size_t>(x.steps.size(), 140); ++i)
-      row(out, nodes, i + 1, x.steps[i].c0, x.steps[i].traction);
+    const PublishedSolution solution = cycling(nodes);
+    for (std::size_t i = 0; i < std::min<std::size_t>(solution.steps.size(), 140); ++i)
+      row(out, nodes, i + 1, solution.steps[i].c0, solution.steps[i].traction);
   }
 }
 
 const FigureData cycle_data{"cycle", cycle};
 
 void values_on_cycle(nlohmann::ordered_json& v) {
-  const PrintedSolution undecided = cycling(90);
+  const PublishedSolution undecided = cycling(90);
   Eigen::Index nearest = 0;
   (undecided.grid.t.array() - undecided.c0).abs().minCoeff(&nearest);
   const double node = undecided.grid.t(nearest);
@@ -114,13 +114,13 @@ void values_on_cycle(nlohmann::ordered_json& v) {
 /// Settled on a contact; its last iterate a contact, or none; settled on what is none.
 enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
 
-constexpr PrintedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
+constexpr PublishedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
 
 SchemeEnd end_of_scheme(const Scene& scene, double traction, Formulation formulation) {
-  const PrintedSolution x = solve_printed(scene, traction, formulation, few_nodes);
-  if (violations(factors(x, scene.friction)).empty())
-    return x.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
-  return x.converged ? SchemeEnd::wrong : SchemeEnd::lost;
+  const PublishedSolution solution = solve_published(scene, traction, formulation, few_nodes);
+  if (violations(factors(solution, scene.friction)).empty())
+    return solution.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
+  return solution.converged ? SchemeEnd::wrong : SchemeEnd::lost;
 }
 
 void values_on_contacts(nlohmann::ordered_json& v) {
@@ -187,7 +187,7 @@ void ends(std::ostream& out) {
 
 const FigureData ends_data{"ends", ends};
 
-/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton led to the solution h.
+/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton with continuation to the solution h.
 int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
   const auto finds = [&](auto iterate) {
     Eigen::VectorXd found = carter_start(map);
@@ -223,14 +223,14 @@ void iteration_steps(std::ostream& out) {
 
 const FigureData steps_data{"iteration-steps", iteration_steps};
 
-/// The solution at one speed, led from heating to heating for as long as it is a contact's.
-struct Way {
+/// The solution at one speed, continued from heating to heating for as long as it is a contact's.
+struct Continuation {
   FluxMap unit;
   double heating;
   Eigen::VectorXd h = carter_start(unit);
   bool holds = true;
 
-  bool leads_to(double next) {
+  bool reaches(double next) {
     holds = holds && follow(unit, heating, next, h) > 0;
     holds = holds && pressure_factor(heated(unit, next), h).minCoeff() > 0;
     heating = next;
@@ -238,7 +238,7 @@ struct Way {
   }
 };
 
-Way way_at(double peclet, Formulation formulation, int unknowns) {
+Continuation continuation_at(double peclet, Formulation formulation, int unknowns) {
   const double c0 = paper::closed_form(0.5).c0;
   return {flux_map({paper::friction, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
 }
@@ -247,7 +247,7 @@ void iteration(std::ostream& out, Formulation formulation) {
   row(out, "peclet", "strength", "method", "picard", "half", "scheme");
   for (const double speed : grid(-1, 5, 30)) {
     const double peclet = std::pow(10, speed), most = 30 * std::max(1.0, 4 / peclet);
-    Way way = way_at(peclet, formulation, 64);
+    Continuation path = continuation_at(peclet, formulation, 64);
     for (const double size : grid(0, 6, 30)) {
       const double strength = std::pow(10, size), heating = strength / (paper::friction * peclet);
       int method = 0, scheme = 0;  // not tried
@@ -256,11 +256,11 @@ void iteration(std::ostream& out, Formulation formulation) {
         method = 6;  // not reached
         const Scene scene{paper::friction, peclet, heating};
         scheme = static_cast<int>(end_of_scheme(scene, 0.5, formulation));
-        if (way.leads_to(heating)) {
-          const FluxMap map = heated(way.unit, heating);
-          method = first_to_converge(map, way.h);
-          full = contraction(map, way.h);
-          half = contraction(map, way.h, 0.5);
+        if (path.reaches(heating)) {
+          const FluxMap map = heated(path.unit, heating);
+          method = first_to_converge(map, path.h);
+          full = contraction(map, path.h);
+          half = contraction(map, path.h, 0.5);
         }
       }
       row(out, peclet, strength, method, fixed(full, 4), fixed(half, 4), scheme);
@@ -279,10 +279,10 @@ const FigureData iteration_panels[] = {iteration_data("a", Formulation::printed)
 int missed(int unknowns) {
   int count = 0;
   for (const double speed : grid(3, 5, 10)) {
-    Way way = way_at(std::pow(10, speed), Formulation::printed, unknowns);
+    Continuation path = continuation_at(std::pow(10, speed), Formulation::printed, unknowns);
     for (const double size : grid(0, 6, 30)) {
       const double f_h = std::pow(10, size - speed);
-      if (f_h <= 30 && !way.leads_to(f_h / paper::friction)) ++count;
+      if (f_h <= 30 && !path.reaches(f_h / paper::friction)) ++count;
     }
   }
   return count;

@@ -13,8 +13,8 @@ void share_found(std::ostream& out) {
     const CoupledSolution exact = paper::coupled(0.5, pe);
     for (const int n : {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}) {
       const Scene scene = paper::scene(pe);
-      const auto x = solve_thrifty(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
-      const double top = thrifty_max_temperature(x, pe, NodeKernel::sample).temperature;
+      const auto x = solve_cached(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
+      const double top = cached_max_temperature(x, pe, NodeKernel::sample).temperature;
       row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(load_ratio)),
           top / exact.value(hottest));
     }
@@ -26,8 +26,8 @@ const FigureData nodes_data{"nodes", share_found};
 void resolution(std::ostream& out) {
   row(out, "$n$", "$c_0$", "$1-\\kappa$", "$\\gamma_0$", "$T^*_{\\max}$", "outer", "inner");
   for (const int nodes : {50, 100, 200, 400}) {
-    const PrintedSolution x = paper::scheme(0.5, paper::peclet, {nodes});
-    const double top = printed_max_temperature(x, paper::peclet).temperature;
+    const PublishedSolution x = paper::scheme(0.5, paper::peclet, {nodes});
+    const double top = published_max_temperature(x, paper::peclet).temperature;
     row(out, nodes, fixed(x.c0, 6), scientific(1 - x.load_ratio, 2), scientific(x.gamma0, 2),
         fixed(top, 6), x.outer_iterations, x.inner_iterations);
   }
@@ -41,10 +41,10 @@ const FigureData resolution_data{"resolution", resolution};
 void coincident(std::ostream& out) {
   row(out, "$\\Theta(0)$", "$T^*_{\\max}$", "outer steps");
   for (const double value : {0.0, 0.5, 1.0}) {
-    PrintedOptions options;
+    PublishedOptions options;
     options.heaviside_at_zero = value;
-    const PrintedSolution x = paper::scheme(0.5, 5000, options);
-    row(out, value, fixed(printed_max_temperature(x, 5000).temperature, 6), x.outer_iterations);
+    const PublishedSolution x = paper::scheme(0.5, 5000, options);
+    row(out, value, fixed(published_max_temperature(x, 5000).temperature, 6), x.outer_iterations);
   }
 }
 

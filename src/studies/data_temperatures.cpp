@@ -17,11 +17,11 @@ void temperature_curve(std::ostream& out, double key, double load, double pe) {
   const HeatFlux flux = carter_flux(paper::closed_form(load));
   for (const double s : grid(-1, 3, 400))
     row(out, "converged", key, s, temperature(flux, pe, s).value);
-  const PrintedSolution x = paper::scheme(load, pe);
+  const PublishedSolution x = paper::scheme(load, pe);
   std::vector<double> points(x.grid.s.begin(), x.grid.s.end());
   std::reverse(points.begin(), points.end());
   for (const double s : grid(1.1, 3, 19)) points.push_back(s);
-  for (const double s : points) row(out, "printed", key, s, printed_temperature(x, pe, s));
+  for (const double s : points) row(out, "printed", key, s, published_temperature(x, pe, s));
 }
 
 void temperature_by_peclet(std::ostream& out, double load) {

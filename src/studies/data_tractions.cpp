@@ -12,9 +12,9 @@ void tractions_of_load(std::ostream& out) {
     for (const double s : grid(-1, 1, 400)) row(out, "converged", load, s, carter_traction(c, s));
   }
   for (const double load : paper::tractions) {
-    const PrintedSolution x = paper::scheme(load, paper::peclet);
+    const PublishedSolution x = paper::scheme(load, paper::peclet);
     for (const double s : x.grid.t)
-      row(out, "printed", load, s, printed_traction(x, paper::friction, s));
+      row(out, "printed", load, s, published_traction(x, paper::friction, s));
   }
 }
 
@@ -31,7 +31,7 @@ void slip_of_load(std::ostream& out) {
     }
   }
   for (const double load : paper::tractions) {
-    const PrintedSolution x = paper::scheme(load, paper::peclet);
+    const PublishedSolution x = paper::scheme(load, paper::peclet);
     for (int k = 0; k < x.slip.size(); ++k) row(out, "printed", load, x.grid.t(k), x.slip(k));
   }
 }

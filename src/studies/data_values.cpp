@@ -129,7 +129,7 @@ void values_to_first_order(nlohmann::ordered_json& v) {
 }
 
 void values_of_what_is_open(nlohmann::ordered_json& v) {
-  PrintedOptions other;
+  PublishedOptions other;
   other.heaviside_at_zero = 1;
   const double change = paper::scheme_max(0.5, 5000, other) / paper::scheme_max(0.5, 5000) - 1;
   const Record record = scheme_record();

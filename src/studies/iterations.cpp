@@ -18,21 +18,6 @@ using Eigen::Infinity;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-FluxMap heated(FluxMap unit, double heating) {
-  unit.p *= heating, unit.v *= heating, unit.kappa *= heating;
-  return unit;
-}
-
-VectorXd carter_start(const FluxMap& map) { return 4 * map.friction / (pi * pi) * map.sigma; }
-
-ArrayXd pressure_factor(const FluxMap& map, const VectorXd& h) {
-  return (map.p * h).array() + 2 / pi;
-}
-
-ArrayXd slip_factor(const FluxMap& map, const VectorXd& h) {
-  return (map.v * h).array() + 2 * map.friction / pi;
-}
-
 namespace {
 
 /// A and B: what h becomes through p-hat and through v-hat, linearised at h.
@@ -63,12 +48,32 @@ struct Patience {
   double best = std::numeric_limits<double>::infinity();
   int since = 0;
   bool ends(double change) {
-    if (change < best / 2) best = change, since = 0;
+    if (change < best / 2) {
+      best = change;
+      since = 0;
+    }
     return !(change < 1e6) || ++since > 40;
   }
 };
 
 }  // namespace
+
+ArrayXd pressure_factor(const FluxMap& map, const VectorXd& h) {
+  return (map.p * h).array() + 2 / pi;
+}
+
+ArrayXd slip_factor(const FluxMap& map, const VectorXd& h) {
+  return (map.v * h).array() + 2 * map.friction / pi;
+}
+
+FluxMap heated(FluxMap unit, double heating) {
+  unit.p *= heating;
+  unit.v *= heating;
+  unit.kappa *= heating;
+  return unit;
+}
+
+VectorXd carter_start(const FluxMap& map) { return 4 * map.friction / (pi * pi) * map.sigma; }
 
 int picard(const FluxMap& map, VectorXd& h, double relaxation) {
   Patience patience;
@@ -91,11 +96,14 @@ int anderson(const FluxMap& map, VectorXd& h, Eigen::Index depth) {
     VectorXd next = h + change;
     if (step > 1) {
       const Eigen::Index used = std::min<Eigen::Index>(step - 1, depth);
-      moves.col((step - 2) % depth) = h - last_h, gains.col((step - 2) % depth) = change - last;
+      moves.col((step - 2) % depth) = h - last_h;
+      gains.col((step - 2) % depth) = change - last;
       const MatrixXd g = gains.leftCols(used), both = moves.leftCols(used) + g;
       next -= both * g.colPivHouseholderQr().solve(change);
     }
-    last_h = h, last = change, h = next;
+    last_h = h;
+    last = change;
+    h = next;
   }
 }
 
@@ -123,7 +131,11 @@ int follow(const FluxMap& unit, double from, double to, VectorXd& h) {
     const bool near = steps > 0 && relative(there - h, h) < 0.5 &&
                       pressure_factor(map, there).minCoeff() > 0 &&
                       slip_factor(map, there).minCoeff() > 0;
-    if (near) h = there, from = next, taken += steps;
+    if (near) {
+      h = there;
+      from = next;
+      taken += steps;
+    }
     factor = near ? factor * std::sqrt(factor) : std::sqrt(factor);
   }
   return from < to ? 0 : taken;

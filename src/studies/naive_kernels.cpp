@@ -23,8 +23,8 @@ constexpr auto K0_scaled = gsl_sf_bessel_K0_scaled, K1_scaled = gsl_sf_bessel_K1
 
 }  // namespace
 
-/// As printed: Bessel functions times an exponential. N1 is meant for zeta > 0.
-namespace typed {
+/// As they stand: Bessel functions times an exponential. N1 is meant for zeta > 0.
+namespace naive {
 
 double N1(double zeta) { return (I0(zeta) - I1(zeta)) * std::exp(-zeta); }
 
@@ -35,10 +35,10 @@ double N2(double zeta) {
 
 double M(double zeta) { return K0(std::abs(zeta)) * std::exp(-zeta); }
 
-}  // namespace typed
+}  // namespace naive
 
 /// The same with e^-x I(x) and e^x K(x).
-namespace scaled {
+namespace naive_scaled {
 
 double N1(double zeta) { return I0_scaled(zeta) - I1_scaled(zeta); }
 
@@ -49,7 +49,7 @@ double N2(double zeta) {
 
 double M(double zeta) { return K0_scaled(std::abs(zeta)) * std::exp(-std::abs(zeta) - zeta); }
 
-}  // namespace scaled
+}  // namespace naive_scaled
 
 double digits_lost(double value, double exact) {
   const double error = std::abs(value / exact - 1);

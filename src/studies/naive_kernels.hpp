@@ -6,17 +6,17 @@ namespace thermoroll {
 // The kernels of @sec:kernels by the formulas as they stand, to show where those fail. Not for use;
 // zeta != 0.
 
-namespace typed {
+namespace naive {
 double N1(double zeta);
 double N2(double zeta);
 double M(double zeta);
-}  // namespace typed
+}  // namespace naive
 
-namespace scaled {
+namespace naive_scaled {
 double N1(double zeta);
 double N2(double zeta);
 double M(double zeta);
-}  // namespace scaled
+}  // namespace naive_scaled
 
 /// How many of the sixteen digits of exact are wrong in value; all of them for infinity or NaN.
 double digits_lost(double value, double exact);

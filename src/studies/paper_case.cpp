@@ -7,12 +7,12 @@ Scene scene(double pe) { return {friction, pe, heating}; }
 
 Carter closed_form(double q) { return carter(friction, q); }
 
-PrintedSolution scheme(double q, double pe, const PrintedOptions& options) {
-  return solve_printed(scene(pe), q, formulation, options);
+PublishedSolution scheme(double q, double pe, const PublishedOptions& options) {
+  return solve_published(scene(pe), q, formulation, options);
 }
 
-double scheme_max(double q, double pe, const PrintedOptions& options) {
-  return printed_max_temperature(scheme(q, pe, options), pe).temperature;
+double scheme_max(double q, double pe, const PublishedOptions& options) {
+  return published_max_temperature(scheme(q, pe, options), pe).temperature;
 }
 
 CoupledSolution coupled(double q, double pe) {

@@ -23,8 +23,8 @@ Scene scene(double pe);
 Carter closed_form(double q);
 
 /// By the published scheme; and the largest T* at its collocation points.
-PrintedSolution scheme(double q, double pe, const PrintedOptions& options = {});
-double scheme_max(double q, double pe, const PrintedOptions& options = {});
+PublishedSolution scheme(double q, double pe, const PublishedOptions& options = {});
+double scheme_max(double q, double pe, const PublishedOptions& options = {});
 
 /// By the coupled solver, to 1e-8.
 CoupledSolution coupled(double q, double pe);

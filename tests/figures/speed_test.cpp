@@ -129,7 +129,7 @@ TEST(SpeedFigures, CoupledMeetsEveryToleranceAskedFor) {
   }
 }
 
-TEST(SpeedFigures, ThriftyRunsHaveTheSameErrors) {
+TEST(SpeedFigures, CachedRunsHaveTheSameErrors) {
   for (const std::string& regime : regimes) {
     const Table table = data(regime);
     for (const std::string& n : node_counts)

@@ -83,6 +83,16 @@ ProseEditRewritesTheReportOnly() { # in the copy
   grep -q 'One sentence more' build/report.html || fail "the report is not new"
 }
 
+DraftIsOneChapter() { # in the copy
+  in_copy reproduce
+  make draft CHAPTER=15 >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  [ -z "$(steps "$work/log")" ] || fail "more was made: $(cat "$work/log")"
+  grep -q '<h2[^>]*sec:conclusions' build/draft.html || fail "the chapter is not there"
+  [ "$(grep -c '<h2' build/draft.html)" -le 2 ] || fail "more than a chapter and its references"
+  ! make draft CHAPTER=150 >"$work/log" 2>&1 || fail "drew up a chapter that is not there"
+  grep -q 'draft: there is no paper/150-' "$work/log" || fail "said: $(cat "$work/log")"
+}
+
 FigureScriptEditRedrawsOneFigure() { # in the copy
   in_copy reproduce
   echo '# a comment' >>figures/slip.gp
@@ -92,7 +102,7 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
 
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
 # mends it.
-InterruptedRunLeavesNothingHalfWritten() { # in the copy
+InterruptedRunLeavesNothingHalfWritten() { # in the copy, for a release
   in_copy figures
   local signal before
   fake gnuplot <<'END'
@@ -113,7 +123,7 @@ END
 }
 
 # Figures drawn two at a time are the same figures.
-TwoJobsDrawTheSameFigures() { # in the copy
+TwoJobsDrawTheSameFigures() { # in the copy, for a release
   in_copy figures
   mv build/figures "$work/one-job"
   make -j2 figures >"$work/log" 2>&1 || fail "$(cat "$work/log")"
@@ -124,7 +134,7 @@ TwoJobsDrawTheSameFigures() { # in the copy
 
 # Two runs at once in one folder: the second says that it waits, and both end with all figures. The
 # first draws until the second waits.
-TwoRunsTakeTurns() { # in the copy
+TwoRunsTakeTurns() { # in the copy, for a release
   in_copy figures
   local status=0 first
   ls build/figures >"$work/all"
@@ -184,7 +194,7 @@ ConfiguresInFolderWithCapitals() {
   [ -s "$work/build/tangled/src/program/sweep.cpp" ] || fail "nothing was tangled"
 }
 
-MissingLibrary() {
+MissingLibrary() { # for a release
   local pair
   for pair in Eigen3:libeigen3-dev GSL:libgsl-dev CLI11:libcli11-dev \
     nlohmann_json:nlohmann-json3-dev GTest:libgtest-dev benchmark:libbenchmark-dev; do
@@ -222,7 +232,7 @@ SetupIsQuietWhenAllIsThere() {
   [ ! -s "$work/log" ] || fail "said: $(cat "$work/log")"
 }
 
-SetupComesFirst() { # in the copy
+SetupComesFirst() { # in the copy, for a release
   in_copy figures
   bare_debian
   fake apt-get <<<"echo install >>'$work/order'; sleep 0.3"
@@ -328,7 +338,7 @@ WarningsAreErrorsInTheTests() {
   cmake --preset release -B "$work/build" >/dev/null
   ! strict || fail "the program stops at warnings"
   local preset
-  for preset in debug asan-ubsan tsan coverage; do
+  for preset in dev debug asan-ubsan tsan coverage; do
     rm -r "$work/build"
     cmake --preset $preset -B "$work/build" >/dev/null
     strict || fail "$preset goes on"
@@ -346,8 +356,29 @@ WarningsAreErrorsInTheTests() {
   ! grep -q WERROR "$work/log" || fail "a program that is there is compiled again"
 }
 
+# Where there is ccache, it is asked before the compiler, unless another launcher is chosen or none.
+CompilesThroughCcache() {
+  unset CMAKE_CXX_COMPILER_LAUNCHER
+  fake ccache <<<'exec "$@"'
+  launched() { grep -rqF "$1" "$work/build" --include=build.make; }
+  with_fakes cmake -B "$work/build" >/dev/null
+  launched /fakes/ccache || fail "ccache is not used"
+  with_fakes cmake -B "$work/build" -DCMAKE_CXX_COMPILER_LAUNCHER=env >/dev/null
+  ! launched /ccache || fail "ccache is used in place of another launcher"
+}
+
+# Any line of a source is found in its chapter.
+WhereNamesTheChaptersLine() { # of the text
+  local file=src/solver/coupled.cpp number place
+  for number in 2 50 100 200; do
+    place=$(make where AT=$file:$number)
+    diff <(sed -n "${number}s/^ *//p" $file) <(sed -n "${place##*:}s/^ *//p" "${place%:*}") || fail "$number: $place"
+  done
+  [ "$(make where AT=$file)" = "$(make where AT=$file:2)" ] || fail "without a line: $(make where AT=$file)"
+}
+
 # The extracts in the chapter on the build stand in the Makefile, line by line.
-ChapterQuotesTheFiles() {
+ChapterQuotesTheFiles() { # of the text
   awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/C-build.md >"$work/quoted"
   [ -s "$work/quoted" ] || fail "the chapter quotes nothing"
   local line
@@ -357,7 +388,7 @@ ChapterQuotesTheFiles() {
 }
 
 # Every package of the Makefile has its reason in the chapter and in the README, and no other has.
-PackagesAreExplained() {
+PackagesAreExplained() { # of the text
   sed -n 's/^[a-z]*_\?packages[a-z_]* := //p' Makefile | tr ' ' '\n' |
     grep -x '[a-z0-9+-]\+' | sort -u >"$work/listed"
   [ -s "$work/listed" ] || fail "no packages found in the Makefile"

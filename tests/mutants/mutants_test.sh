@@ -54,7 +54,7 @@ run() {
   bash tests/mutants/run.sh "$@" >out 2>&1 || status=$?
 }
 
-TellsWhichSurvive() {
+TellsWhichSurvive() { # slow
   small_project
   {
     mutant 'wrong start' 'int sum = «0»;' 1
@@ -80,7 +80,7 @@ TellsWhichSurvive() {
 
 # A list that no longer fits, tests that are not there and tests that fail without a mutant stop a run
 # before it begins.
-StopsAtMistakes() {
+StopsAtMistakes() { # slow
   small_project
   local name
   cp tests/mutants/list list

@@ -708,7 +708,7 @@ LongNames() {
 
 # Too little memory is said to be that, with what is needed or was in use; in a sweep only the row
 # that needs it fails.
-TooLittleMemory() {
+TooLittleMemory() { # slow
   with_little() { (ulimit -v 300000 && "$program" "$@" >out 2>err) || status=$?; } # kilobytes
   local scheme="gauss-chebyshev with 5000 nodes needs 800 MB of memory, too much here"
   status=0
@@ -755,7 +755,7 @@ MessagesAreText() {
 }
 
 # The letters and decimals of a language make no difference.
-SameInEveryLocale() {
+SameInEveryLocale() { # slow
   mkdir "$scratch/locales"
   localedef -i tr_TR -f UTF-8 "$scratch/locales/tr_TR.UTF-8" >/dev/null 2>&1 &&
     localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1 ||
@@ -892,7 +892,8 @@ ClaimsInThreeFormats() {
 
 Version() {
   answers --version
-  grep -qx 'thermoroll [0-9]*\.[0-9]*\.[0-9]*' out || fail "$(cat out)"
+  grep -qxE 'thermoroll [0-9]+\.[0-9]+\.[0-9]+( \(.*[0-9a-f]{4,}(-dirty)?\))?' out || fail "$(cat out)"
+  [ ! -e "$project/.git" ] || grep -q '(' out || fail "without a revision: $(cat out)"
 }
 
 Help() {

@@ -260,7 +260,7 @@ SameWithSanitizers() {
 
 # Twenty times the rows, which are mostly refusals and so soon done, take no more memory: certainly
 # less than a quarter of what they would take if they were kept, or their results.
-MemoryIsBounded() {
+MemoryIsBounded() { # slow
   memory() { # memory COPIES: megabytes at most
     write_scenes 1
     { cat scenes.csv; yes 0.6,0.7,100,1, | head -"$1"; } >more
@@ -312,7 +312,7 @@ ClosedPipe() {
 }
 
 # Of many slow rows, those are solved that were begun when the first could not be written.
-NobodyReadsNobodyWorks() {
+NobodyReadsNobodyWorks() { # slow
   { echo friction,traction,peclet,heating,method,nodes
     yes 0.6,0.5,100,0.1,gauss-chebyshev,300 | head -24; } >scenes.csv
   seconds() { # seconds COMMAND: of all processors
@@ -328,7 +328,7 @@ NobodyReadsNobodyWorks() {
 
 # A thread cannot be started, while the first row is being solved and another thread has come to the
 # end of the window: that one is woken. (LD_PRELOAD is cut at blanks.)
-FullWindowWhenThreadsRunOut() {
+FullWindowWhenThreadsRunOut() { # slow
   "${CXX:-c++}" -shared -fPIC -o "$scratch/few-threads.so" -x c++ - -ldl <<'END'
 #include <dlfcn.h>
 #include <pthread.h>
@@ -418,7 +418,7 @@ IgnoredSignalsStayIgnored() {
 }
 
 # Only there, and not among the rows.
-ProgressOnATerminal() {
+ProgressOnATerminal() { # slow
   script -qec true /dev/null </dev/null >"$work/script" 2>&1 || # as in a chroot without /dev/pts
     { echo "skipped: $(cat "$work/script")"; exit 77; }
   write_scenes 50
@@ -503,7 +503,7 @@ END
   code sh F-sweeps-and-reliability.md >commands
 }
 
-WorksWithParallel() {
+WorksWithParallel() { # slow
   prepare_parallel
   sed -n '/^parallel --pipe/,/results.csv$/p' commands | sed 's/--block 1M/--block 1k/' >command
   [ "$(wc -l <command)" = 2 ] || fail "the chapter has other commands: $(cat commands)"
@@ -513,7 +513,7 @@ WorksWithParallel() {
 }
 
 # Two of eight files lost from the log are done again, and only these.
-ResumesWithParallel() {
+ResumesWithParallel() { # slow
   prepare_parallel
   sed -n '/^split/,/results.csv$/p' commands | sed 's/10000/20/' >command
   [ "$(wc -l <command)" = 3 ] || fail "the chapter has other commands: $(cat commands)"

@@ -42,7 +42,7 @@ std::vector<std::string> line_of(const std::string& text, const std::string& fir
 TEST(Output, CountsAreThoseOfTheSolution) {
   const Solution x = solve(scene, {Method::coupled}), y = solve(scene, scheme);
   const auto& coupled = std::get<CoupledSolution>(x.found);
-  const auto& printed = std::get<PrintedSolution>(y.found);
+  const auto& printed = std::get<PublishedSolution>(y.found);
   ASSERT_NE(coupled.unknowns, coupled.newton_steps);
   ASSERT_NE(printed.outer_iterations, printed.inner_iterations);
   EXPECT_EQ(cells_of(x)["unknowns"], std::to_string(coupled.unknowns));

@@ -371,37 +371,69 @@ See @lst:part.
 END
   expect '⟨A part of x 2⟩part 1 of 2 ↓' '⟨A part of x 2⟩part 2 of 2 ↑' 'used in ⟨The file 1⟩' \
     'file src/a.cpp · defined at one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
-    'src/a.cpp 4 lines from one.md'
+    'src/a.cpp 3 lines from one.md'
   expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
     '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
 }
 
-# A chunk that grows from pieces with titles of their own is called by its name.
-GrowingChunksAreLinked() {
+PartsHaveTheirTitles() {
   chapter <<'END'
 ``` {.cpp file=src/a.cpp title="The file"}
-<<some-data>>
+<<both>>
 ```
 
-``` {.cpp #some-data title="First data"}
-int b;
+``` {.cpp #both title="The first"}
+int a;
 <<inner>>
 ```
 
-``` {.cpp #some-data title="More of $x$"}
-int c;
+``` {.cpp #both title="The second"}
+int b;
 ```
 
 ``` {.cpp #inner title="Inner"}
-int d;
+int c;
 ```
 
-See @lst:some-data.
+See @lst:both.
 END
-  expect '⟨First data 2.1⟩⟨some data 2⟩ += part 1 of 2 ↓' '⟨More of x 2.2⟩⟨some data 2⟩ += part 2 of 2 ↑' \
-    'used in ⟨First data 2.1⟩' 'See ⟨some data 2⟩.' '⟨First data 2.1⟩ one.md:10, ⟨More of x 2.2⟩ one.md:15' \
-    'src/a.cpp 4 lines from one.md'
-  expect_html 'id="lst:some-data:2"'
+  expect '⟨The first 2.1⟩⟨both 2⟩ += part 1 of 2 ↓' '⟨The second 2.2⟩⟨both 2⟩ += part 2 of 2 ↑' \
+    'used in ⟨The first 2.1⟩' 'See ⟨both 2⟩.' '⟨The first 2.1⟩ one.md:10, ⟨The second 2.2⟩ one.md:15'
+  expect_html 'class="chunk more" id="lst:both:2"'
+}
+
+# A draft is one chapter with the numbers that it has in the whole. It tells of its own mistakes only,
+# and is written with them.
+DraftIsOneChapter() {
+  cat >two.md <<'END'
+# Second {#sec:second}
+
+$$ b $$ {#eq:b}
+
+See @eq:a, @eq:b and @eq:nowhere in @sec:second after @sec:first.
+
+``` {.cpp #part}
+int b;
+```
+END
+  chapter <<'END'
+# First {#sec:first}
+
+$$ a $$ {#eq:a}
+
+![Not drawn.](figures/f.svg){#fig:f fig-alt="A curve"}
+
+``` {.cpp file=src/a.cpp}
+int a;
+<<part>>
+```
+END
+  weave page.html one.md two.md -M draft=two.md 2>errors || fail "stopped: $(cat errors)"
+  echo 'two.md:5: unknown reference @eq:nowhere' | diff - errors || fail "other mistakes"
+  local text
+  text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
+  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
+    fail "the page: $text"
 }
 
 WovenTwiceAlike() {

@@ -23,25 +23,25 @@ using reference::Real;
 using thermoroll::Carter;
 using thermoroll::Formulation;
 using thermoroll::Grid;
-using thermoroll::PrintedOptions;
-using thermoroll::PrintedSolution;
+using thermoroll::PublishedOptions;
+using thermoroll::PublishedSolution;
 
 constexpr double friction = 0.6;  // of every figure of the paper
 
 double sign_of(Formulation formulation) { return formulation == Formulation::printed ? 1 : -1; }
 
-PrintedSolution solve(double traction, double peclet, double heating, int nodes,
-                      Formulation formulation = Formulation::printed, double tolerance = 1e-6) {
-  PrintedOptions options;
+PublishedSolution solve(double traction, double peclet, double heating, int nodes,
+                        Formulation formulation = Formulation::printed, double tolerance = 1e-6) {
+  PublishedOptions options;
   options.nodes = nodes;
   options.tolerance = tolerance;
-  return solve_printed({friction, traction, peclet, heating}, formulation, options);
+  return solve_published({friction, traction, peclet, heating}, formulation, options);
 }
 
 }  // namespace
 
 // @eq:nodes; cos loses at most eps, so do the products of the weights.
-TEST(PrintedScheme, GridInterlacesNodesAndPoints) {
+TEST(PublishedScheme, GridInterlacesNodesAndPoints) {
   for (const int n : {1, 2, 7, 50, 200}) {
     const Grid g = thermoroll::gauss_chebyshev(n);
     ASSERT_EQ(g.t.size(), n);
@@ -65,7 +65,7 @@ TEST(PrintedScheme, GridInterlacesNodesAndPoints) {
 
 // (1/pi) PV int sqrt(1-t^2) U_j(t)/(t-s) dt = -T_{j+1}(s). The rule divides [U_j(t)-U_j(s)]/(t-s),
 // of degree j - 1, so it is exact up to j = 2n: beyond the n nodes' own polynomials.
-TEST(PrintedScheme, CauchyMatrixIsExactForPolynomials) {
+TEST(PublishedScheme, CauchyMatrixIsExactForPolynomials) {
   for (const int n : {1, 4, 33, 120}) {
     const Grid g = thermoroll::gauss_chebyshev(n);
     const Eigen::MatrixXd cauchy = thermoroll::cauchy_matrix(g);
@@ -96,12 +96,12 @@ TEST(PrintedScheme, CauchyMatrixIsExactForPolynomials) {
 
 // At H = 0 the unknowns are constants: phi = 2/pi, phi0 = -(2f/pi) b. The systems' condition grows
 // like n, so everything is good to a few n eps.
-TEST(PrintedScheme, WithoutHeatItIsTheClosedForm) {
+TEST(PublishedScheme, WithoutHeatItIsTheClosedForm) {
   for (const double traction : {0.01, 0.2, 0.5, 0.59})
     for (const int n : {3, 20, 101}) {
       SCOPED_TRACE(::testing::Message() << "Q* = " << traction << ", n = " << n);
       const Carter c = thermoroll::carter(friction, traction);
-      const PrintedSolution x = solve(traction, 1000, 0, n);
+      const PublishedSolution x = solve(traction, 1000, 0, n);
       const double rounding = 10 * n * epsilon;
       EXPECT_TRUE(x.converged);
       // One step, and one to see that it was the last; a grid without a node in the slip zone has
@@ -122,18 +122,18 @@ TEST(PrintedScheme, WithoutHeatItIsTheClosedForm) {
       // Pressure and traction anywhere; dividing by the sine is undone by the square root.
       for (const double s : {-0.999, -0.8, -0.31, 0.0, 0.123, 0.5, 0.77, 0.9995}) {
         EXPECT_TRUE(
-            close(thermoroll::printed_pressure(x, s), thermoroll::hertz_pressure(s), rounding))
+            close(thermoroll::published_pressure(x, s), thermoroll::hertz_pressure(s), rounding))
             << s;
-        EXPECT_TRUE(close(thermoroll::printed_traction(x, friction, s),
+        EXPECT_TRUE(close(thermoroll::published_traction(x, friction, s),
                           thermoroll::carter_traction(c, s), 2 * rounding))
             << s;
       }
       for (Index k = 0; k < n; ++k)  // at its nodes, where the interpolation has poles
-        EXPECT_TRUE(close(thermoroll::printed_pressure(x, x.grid.t(k)),
+        EXPECT_TRUE(close(thermoroll::published_pressure(x, x.grid.t(k)),
                           thermoroll::hertz_pressure(x.grid.t(k)), rounding));
       for (const double s : {-1.0, 1.0, 1.5, -2.0}) {
-        EXPECT_EQ(thermoroll::printed_pressure(x, s), 0);
-        EXPECT_EQ(thermoroll::printed_traction(x, friction, s), 0);
+        EXPECT_EQ(thermoroll::published_pressure(x, s), 0);
+        EXPECT_EQ(thermoroll::published_traction(x, friction, s), 0);
       }
       // The slip at the nodes. Outside the stick zone, at tau = (rho + 1/rho)/2 > 1, the rule gives
       // (1/pi) sum w/(t-tau) = -1/rho + rho^-(n+1)/U_n(tau) exactly, the integral being -1/rho.
@@ -162,7 +162,7 @@ TEST(PrintedScheme, WithoutHeatItIsTheClosedForm) {
 }
 
 // Its own equations, typed once more from the paper with kernels that share nothing with src/.
-TEST(PrintedScheme, SatisfiesItsOwnEquations) {
+TEST(PublishedScheme, SatisfiesItsOwnEquations) {
   struct Case {
     double traction, peclet, heating, self;
     int nodes;
@@ -170,12 +170,12 @@ TEST(PrintedScheme, SatisfiesItsOwnEquations) {
   for (const Case& k :
        {Case{0.5, 4360, 0.0175, 0, 40}, Case{0.3, 100, 0.5, 0, 31}, Case{0.5, 20, 0.2, 0.5, 25}})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
-      PrintedOptions options;
+      PublishedOptions options;
       options.nodes = k.nodes;
       options.tolerance = 1e-12;
       options.heaviside_at_zero = k.self;
-      const PrintedSolution x =
-          solve_printed({friction, k.traction, k.peclet, k.heating}, formulation, options);
+      const PublishedSolution x =
+          solve_published({friction, k.traction, k.peclet, k.heating}, formulation, options);
       ASSERT_TRUE(x.converged);
       SCOPED_TRACE(::testing::Message() << "Pe = " << k.peclet << ", H = " << k.heating);
       const Real eps_sign = sign_of(formulation), f = friction, thermal = f * k.peclet * k.heating;
@@ -247,10 +247,10 @@ TEST(PrintedScheme, SatisfiesItsOwnEquations) {
 
 // Two sums over the collocation points remove the pressure from (39): sum_m 1/(t_k - s_m) = 0 and
 // sum_m s_m/(t_k - s_m) = -(n+1). So gamma0 and kappa follow from the heat without any elimination.
-TEST(PrintedScheme, LoadRatioAndGammaBalanceTheHeat) {
+TEST(PublishedScheme, LoadRatioAndGammaBalanceTheHeat) {
   for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
     const double peclet = 100, heating = 0.1, tolerance = 1e-12;
-    const PrintedSolution x = solve(0.5, peclet, heating, 30, formulation, tolerance);
+    const PublishedSolution x = solve(0.5, peclet, heating, 30, formulation, tolerance);
     const Eigen::VectorXd heat = thermoroll::node_heat(x);
     Real even = 0, odd = 0, size = 1;
     for (Index m = 0; m < x.grid.s.size(); ++m)
@@ -270,15 +270,15 @@ TEST(PrintedScheme, LoadRatioAndGammaBalanceTheHeat) {
 
 // What the paper quotes, T*max = 0.002 from n = 200 with "thermal deformation negligible"; the
 // other digits are those that this scheme was first restored with, by another program.
-TEST(PrintedScheme, ReproducesThePapersTemperature) {
+TEST(PublishedScheme, ReproducesThePapersTemperature) {
   const double expected[] = {0.001998, 0.002215, 0.002505};  // H(0) = 0, 1/2, 1
   int steps = 0;
   for (int i = 0; i < 3; ++i) {
-    PrintedOptions options;
+    PublishedOptions options;
     options.heaviside_at_zero = 0.5 * i;
-    const PrintedSolution x =
-        solve_printed({friction, 0.5, 5000, 0.0175}, Formulation::printed, options);
-    const thermoroll::PrintedPeak peak = thermoroll::printed_max_temperature(x, 5000);
+    const PublishedSolution x =
+        solve_published({friction, 0.5, 5000, 0.0175}, Formulation::printed, options);
+    const thermoroll::PublishedPeak peak = thermoroll::published_max_temperature(x, 5000);
     EXPECT_TRUE(x.converged);
     EXPECT_TRUE(close(peak.temperature, expected[i], 0.5e-6))
         << "to the digits quoted, H(0) = " << 0.5 * i;
@@ -300,8 +300,8 @@ TEST(PrintedScheme, ReproducesThePapersTemperature) {
           sum += heat(k) * reference::M(5000 * (x.grid.t(k) - static_cast<Real>(x.grid.s(m)))) /
                  reference::pi;
       // Sums of up to 200 positive terms of relative error 1e-13, plus what exp does upstream.
-      EXPECT_TRUE(
-          close(thermoroll::printed_temperature(x, 5000, x.grid.s(m)), sum, 2e-13 * sum + 1e-300L));
+      EXPECT_TRUE(close(thermoroll::published_temperature(x, 5000, x.grid.s(m)), sum,
+                        2e-13 * sum + 1e-300L));
       largest = std::max(largest, sum);
       there = there || x.grid.s(m) == peak.at;
     }
@@ -313,7 +313,7 @@ TEST(PrintedScheme, ReproducesThePapersTemperature) {
 // The rule looks at d^(-1/2) half a step from its singular end: its error is -zeta(1/2, 1/2)
 // sqrt(h) times the flux there. Without heat, where the flux is Carter's, that is an order and a
 // factor.
-TEST(PrintedScheme, TemperatureConvergesSlowly) {
+TEST(PublishedScheme, TemperatureConvergesSlowly) {
   const double traction = 0.5;
   const Real b = std::sqrt(1 / 6.0L),
              at = std::sqrt(0.5L);  // cos(pi/4), a point of every grid below
@@ -334,10 +334,10 @@ TEST(PrintedScheme, TemperatureConvergesSlowly) {
       at - 2 * b + 1);
   Real previous = 0;
   for (const int n : {49, 149, 449}) {
-    const PrintedSolution x = solve(traction, peclet, 0, n);
+    const PublishedSolution x = solve(traction, peclet, 0, n);
     Index m = 0;
     while (std::abs(x.grid.s(m) - at) > 1e-12L) ++m;
-    const Real error = exact - thermoroll::printed_temperature(x, peclet, x.grid.s(m));
+    const Real error = exact - thermoroll::published_temperature(x, peclet, x.grid.s(m));
     const Real h = reference::pi * std::sqrt(0.5L) / (n + 1);
     const Real predicted = 0.6048986434216303702L * std::sqrt(h) * flux(at) *
                            std::sqrt(reference::pi / (2 * peclet)) / reference::pi;
@@ -353,8 +353,8 @@ TEST(PrintedScheme, TemperatureConvergesSlowly) {
   // The same for the maximum at the paper's speed, where the grid's search for it is coarse too.
   previous = 0;
   for (const int n : {50, 100, 200, 400}) {
-    const PrintedSolution x = solve(traction, 5000, 0, n);
-    const Real error = 0.00205267L - thermoroll::printed_max_temperature(x, 5000).temperature;
+    const PublishedSolution x = solve(traction, 5000, 0, n);
+    const Real error = 0.00205267L - thermoroll::published_max_temperature(x, 5000).temperature;
     if (previous != 0) {
       const Real order = std::log2(previous / error);
       EXPECT_GT(order, 0.3) << "n = " << n;
@@ -367,7 +367,7 @@ TEST(PrintedScheme, TemperatureConvergesSlowly) {
 // The sum of the heat cuts its square root at c0 anywhere between two nodes: an error of up to
 // A h^(3/2), where the flux starts like A sqrt(s - c0), and as much again from the slip at the
 // first nodes, which the stick zone's rule does not resolve.
-TEST(PrintedScheme, HeatConvergesWithOrderThreeHalves) {
+TEST(PublishedScheme, HeatConvergesWithOrderThreeHalves) {
   const double traction = 0.5;
   const Carter c = thermoroll::carter(friction, traction);
   const Real exact = c.creep * static_cast<Real>(traction) / friction;
@@ -391,7 +391,7 @@ TEST(PrintedScheme, HeatConvergesWithOrderThreeHalves) {
 // gamma0 does not vanish with n: it tends to the limit that the integral equation gives it, and so
 // does kappa. The N1 sum is a midpoint rule of a kernel 1/Pe wide, second-order once that is
 // resolved.
-TEST(PrintedScheme, GammaTendsToALimit) {
+TEST(PublishedScheme, GammaTendsToALimit) {
   const double traction = 0.5, heating = 1e-6, scale = friction * heating;
   // The limit of high speed, f = 0.6 and Q* = 0.5: N1 becomes a delta, and gamma0 / f H is
   // -(1/pi) int g/sqrt(1-t^2) dt. What N1 has beyond a distance of 1 is 0.4/sqrt(Pe) of its weight.
@@ -407,7 +407,7 @@ TEST(PrintedScheme, GammaTendsToALimit) {
   EXPECT_TRUE(close(limit.gamma0, -0.0755L, 0.0005L)) << "less than at high speed";
   Real gamma_error = 0, load_error = 0;
   for (const int n : {50, 100, 200, 400}) {
-    const PrintedSolution x = solve(traction, 100, heating, n, Formulation::printed, 1e-8);
+    const PublishedSolution x = solve(traction, 100, heating, n, Formulation::printed, 1e-8);
     const Real gamma0 = 1 - x.gamma0 / scale / limit.gamma0;
     const Real load = 1 - (1 - x.load_ratio) / scale / limit.load_loss;
     EXPECT_GT(gamma0, 0) << "the kernel's peak is missed, n = " << n;
@@ -428,13 +428,13 @@ TEST(PrintedScheme, GammaTendsToALimit) {
 
 // At the paper's Pe the nodes are 1/(n Pe) ... far apart beside the kernel, so that most of the
 // thermal slope is lost: 1 - kappa grows with n and is nowhere near its limit.
-TEST(PrintedScheme, DoesNotResolveTheSlopeAtThePapersSpeed) {
+TEST(PublishedScheme, DoesNotResolveTheSlopeAtThePapersSpeed) {
   const double heating = 0.0175;
   const Real limit = friction * heating * first_order(0.5, 4360).load_loss;
   EXPECT_TRUE(close(limit, 1.455e-3L, friction * heating * limit));  // first order in f H
   const double quoted[] = {8.2e-5, 1.3e-4, 2.05e-4};
   for (int i = 0; i < 3; ++i) {
-    const PrintedSolution x = solve(0.5, 4360, heating, 50 << i);
+    const PublishedSolution x = solve(0.5, 4360, heating, 50 << i);
     EXPECT_TRUE(close(1 - x.load_ratio, quoted[i], i == 1 ? 0.5e-5 : 0.05e-5))
         << "n = " << (50 << i);
     EXPECT_LT(1 - x.load_ratio, limit / 6);
@@ -443,10 +443,10 @@ TEST(PrintedScheme, DoesNotResolveTheSlopeAtThePapersSpeed) {
 
 // The two formulations differ in the sign of the slope: kappa - 1 and gamma0 flip to first order in
 // H; what does not flip is of second order.
-TEST(PrintedScheme, SignFlipsWhatHeatDoes) {
+TEST(PublishedScheme, SignFlipsWhatHeatDoes) {
   const auto both = [](double heating) {
-    const PrintedSolution p = solve(0.5, 100, heating, 60, Formulation::printed, 1e-11);
-    const PrintedSolution c = solve(0.5, 100, heating, 60, Formulation::corrected, 1e-11);
+    const PublishedSolution p = solve(0.5, 100, heating, 60, Formulation::printed, 1e-11);
+    const PublishedSolution c = solve(0.5, 100, heating, 60, Formulation::corrected, 1e-11);
     EXPECT_LT(p.load_ratio, 1) << "as printed, heat sinks";
     EXPECT_GT(c.load_ratio, 1) << "corrected, it bulges";
     EXPECT_LT(p.gamma0, 0);
@@ -463,46 +463,47 @@ TEST(PrintedScheme, SignFlipsWhatHeatDoes) {
 }
 
 // Where the inner iteration keeps failing the outer one gives up, early enough for a user to wait.
-TEST(PrintedScheme, GivesUpAfterTenFailures) {
+TEST(PublishedScheme, GivesUpAfterTenFailures) {
   // One inner step a time never reaches this tolerance, so that every outer step fails but the
   // first, which has no heat yet.
-  PrintedOptions options;
+  PublishedOptions options;
   options.nodes = 20;
   options.max_inner = 1;
   options.tolerance = 1e-12;
   const Driven scene{friction, 0.5, 100, 0.5};
-  const PrintedSolution ten = solve_printed(scene, Formulation::printed, options);
+  const PublishedSolution ten = solve_published(scene, Formulation::printed, options);
   EXPECT_FALSE(ten.converged);
   EXPECT_EQ(ten.outer_iterations, 1 + 10);
   options.max_failures = 3;
-  EXPECT_EQ(solve_printed(scene, Formulation::printed, options).outer_iterations, 1 + 3);
+  EXPECT_EQ(solve_published(scene, Formulation::printed, options).outer_iterations, 1 + 3);
 
   // A cycle: without a bound on the failures it runs into the bound on the steps.
-  PrintedOptions bounded;
+  PublishedOptions bounded;
   bounded.nodes = 40;
   const Driven hot{friction, 0.5, 100, 4};
-  const PrintedSolution cycle = solve_printed(hot, Formulation::printed, bounded);
+  const PublishedSolution cycle = solve_published(hot, Formulation::printed, bounded);
   EXPECT_FALSE(cycle.converged);
   EXPECT_EQ(cycle.inner_iterations, bounded.max_inner);
   EXPECT_LT(cycle.outer_iterations, 60);
   bounded.max_failures = bounded.max_outer;
-  const PrintedSolution endless = solve_printed(hot, Formulation::printed, bounded);
+  const PublishedSolution endless = solve_published(hot, Formulation::printed, bounded);
   EXPECT_FALSE(endless.converged);
   EXPECT_EQ(endless.outer_iterations, bounded.max_outer);
 
   // A few failures on the way are no reason to give up.
-  const PrintedSolution late = solve(0.3, 100, 2, 25);
+  const PublishedSolution late = solve(0.3, 100, 2, 25);
   EXPECT_TRUE(late.converged);
-  EXPECT_EQ(late.inner_iterations, PrintedOptions{}.max_inner) << "some of its steps failed";
+  EXPECT_EQ(late.inner_iterations, PublishedOptions{}.max_inner) << "some of its steps failed";
 }
 
 // Where an iteration does not settle, the solution says so.
-TEST(PrintedScheme, SaysWhenItDoesNotConverge) {
-  PrintedOptions options;
+TEST(PublishedScheme, SaysWhenItDoesNotConverge) {
+  PublishedOptions options;
   options.nodes = 100;
   options.max_outer = 35;  // more than the paper ever needed
   options.max_inner = 20;
-  const PrintedSolution hot = solve_printed({friction, 0.5, 100, 2}, Formulation::printed, options);
+  const PublishedSolution hot =
+      solve_published({friction, 0.5, 100, 2}, Formulation::printed, options);
   EXPECT_FALSE(hot.converged);
   EXPECT_LE(hot.outer_iterations, 35);
   EXPECT_EQ(hot.phi.size(), 100) << "the last iterate is there";
@@ -510,37 +511,37 @@ TEST(PrintedScheme, SaysWhenItDoesNotConverge) {
   // A case that does settle, stopped early by either bound.
   const Driven scene{friction, 0.5, 100, 0.0175};
   options.nodes = 20;
-  const PrintedSolution good = solve_printed(scene, Formulation::printed, options);
+  const PublishedSolution good = solve_published(scene, Formulation::printed, options);
   EXPECT_TRUE(good.converged);
   EXPECT_GT(good.inner_iterations, 1);
   options.max_outer = good.outer_iterations - 1;
-  const PrintedSolution early = solve_printed(scene, Formulation::printed, options);
+  const PublishedSolution early = solve_published(scene, Formulation::printed, options);
   EXPECT_FALSE(early.converged);
   EXPECT_EQ(early.outer_iterations, good.outer_iterations - 1);
   options.max_outer = good.outer_iterations;
-  EXPECT_TRUE(solve_printed(scene, Formulation::printed, options).converged);
+  EXPECT_TRUE(solve_published(scene, Formulation::printed, options).converged);
   // The border alone bounded: one inner step a time still settles in the end, but not in three.
   options.max_inner = 1;
-  EXPECT_FALSE(solve_printed(scene, Formulation::printed, options).converged);
+  EXPECT_FALSE(solve_published(scene, Formulation::printed, options).converged);
 }
 
 // Whenever it says that it converged, the traction is the one asked for, to the tolerance: with one
 // step of the border at a time the slip may well settle first, and so it may where strong heat lets
 // no border be found. That never leaves the contact without a border either: a step that leaves the
 // stick zone no traction is followed by others.
-TEST(PrintedScheme, ConvergesToTheTractionOrNotAtAll) {
+TEST(PublishedScheme, ConvergesToTheTractionOrNotAtAll) {
   int settled = 0, without_traction = 0;
   for (const double tolerance : {1e-2, 1e-4, 1e-6})
     for (const double traction : {0.005, 0.05, 0.3, 0.5})
       for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
         for (const double heating : {1e-3, 0.2, 6.0, 30.0})
           for (const int steps : {1, 50}) {
-            PrintedOptions options;
+            PublishedOptions options;
             options.nodes = 20;
             options.tolerance = tolerance;
             options.max_inner = steps;
-            const PrintedSolution x =
-                solve_printed({friction, traction, 4000, heating}, formulation, options);
+            const PublishedSolution x =
+                solve_published({friction, traction, 4000, heating}, formulation, options);
             SCOPED_TRACE(::testing::Message() << "Q* = " << traction << ", H = " << heating
                                               << ", tolerance " << tolerance << ", " << steps);
             EXPECT_TRUE(-1 < x.c0 && x.c0 <= 1) << x.c0;
@@ -555,17 +556,17 @@ TEST(PrintedScheme, ConvergesToTheTractionOrNotAtAll) {
   EXPECT_GT(without_traction, 0) << "nor of this";
 }
 
-TEST(PrintedScheme, RefusesWhatMakesNoSense) {
+TEST(PublishedScheme, RefusesWhatMakesNoSense) {
   const Driven good{friction, 0.5, 100, 0.0175};
-  PrintedOptions options;
+  PublishedOptions options;
   for (const int nodes : {2, 1, 0, -5}) {
     options.nodes = nodes;
-    EXPECT_THROW(solve_printed(good, Formulation::printed, options), std::invalid_argument);
+    EXPECT_THROW(solve_published(good, Formulation::printed, options), std::invalid_argument);
   }
   options.nodes = 3;
-  EXPECT_NO_THROW(solve_printed(good, Formulation::printed, options));
+  EXPECT_NO_THROW(solve_published(good, Formulation::printed, options));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Driven& bad : {Driven{friction, 0.6, 100, 0}, Driven{friction, 0.5, -1, 0},
                             Driven{friction, 0.5, 100, nan}})
-    EXPECT_THROW(solve_printed(bad, Formulation::printed), std::invalid_argument);
+    EXPECT_THROW(solve_published(bad, Formulation::printed), std::invalid_argument);
 }

@@ -17,16 +17,16 @@ using reference::epsilon;
 using thermoroll::CoupledSolution;
 using thermoroll::Formulation;
 using thermoroll::NodeKernel;
-using thermoroll::PrintedOptions;
-using thermoroll::PrintedSolution;
+using thermoroll::PublishedOptions;
+using thermoroll::PublishedSolution;
 
 constexpr double friction = 0.6;
 
-PrintedSolution with_means(const Driven& scene, int nodes,
-                           Formulation formulation = Formulation::corrected) {
-  PrintedOptions options;
+PublishedSolution with_means(const Driven& scene, int nodes,
+                             Formulation formulation = Formulation::corrected) {
+  PublishedOptions options;
   options.nodes = nodes;
-  return thermoroll::solve_thrifty(scene, scene.traction, formulation, NodeKernel::mean, options);
+  return thermoroll::solve_cached(scene, scene.traction, formulation, NodeKernel::mean, options);
 }
 
 }  // namespace
@@ -34,18 +34,18 @@ PrintedSolution with_means(const Driven& scene, int nodes,
 // The same equations, steps and stopping rule. Only the kernels come from tables, to 1e-13 of their
 // size; that is 1e-13 of the thermal terms, which are below one here, and the systems make up to n
 // times as much of it. The step counts must be the same.
-TEST(ThriftyScheme, FindsWhatThePublishedSchemeFinds) {
+TEST(CachedScheme, FindsWhatThePublishedSchemeFinds) {
   for (const Driven& scene : {Driven{friction, 0.5, 1, 0.3}, Driven{friction, 0.2, 100, 0.0175},
                               Driven{friction, 0.5, 100, 1}, Driven{0.3, 0.25, 4360, 0.0175},
                               Driven{friction, 0.59, 20000, 0.1}, Driven{friction, 0.5, 100, 0}})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
       for (const int n : {3, 25, 60}) {
         SCOPED_TRACE(::testing::Message() << "Pe = " << scene.peclet << ", n = " << n);
-        PrintedOptions options;
+        PublishedOptions options;
         options.nodes = n;
-        const PrintedSolution x = solve_printed(scene, formulation, options);
-        const PrintedSolution y = thermoroll::solve_thrifty(scene, scene.traction, formulation,
-                                                            NodeKernel::sample, options);
+        const PublishedSolution x = solve_published(scene, formulation, options);
+        const PublishedSolution y = thermoroll::solve_cached(scene, scene.traction, formulation,
+                                                             NodeKernel::sample, options);
         ASSERT_TRUE(x.converged);
         EXPECT_TRUE(y.converged);
         EXPECT_EQ(y.outer_iterations, x.outer_iterations);
@@ -57,8 +57,8 @@ TEST(ThriftyScheme, FindsWhatThePublishedSchemeFinds) {
         EXPECT_TRUE(close(y.creep, x.creep, rounding));
         EXPECT_TRUE(close(y.creep_constant, x.creep_constant, rounding));
         EXPECT_TRUE(close(
-            thermoroll::thrifty_max_temperature(y, scene.peclet, NodeKernel::sample).temperature,
-            thermoroll::printed_max_temperature(x, scene.peclet).temperature, rounding));
+            thermoroll::cached_max_temperature(y, scene.peclet, NodeKernel::sample).temperature,
+            thermoroll::published_max_temperature(x, scene.peclet).temperature, rounding));
         for (Eigen::Index k = 0; k < n; ++k) {
           // At the ends the weights vanish like sin^2, so the factors know less there.
           const double sine = std::sqrt(1 - x.grid.t(k) * x.grid.t(k));
@@ -72,7 +72,7 @@ TEST(ThriftyScheme, FindsWhatThePublishedSchemeFinds) {
 // Heat that is piecewise linear between nodes pi/n apart errs by their square, but for its
 // square-root start at the border: the order is at least 3/2, at any speed. The factor before it
 // depends on where between two nodes the border lies, so the largest error of a few n is taken.
-TEST(ThriftyScheme, MeansConvergeAtAnySpeed) {
+TEST(CachedScheme, MeansConvergeAtAnySpeed) {
   for (const double peclet : {10.0, 100.0, 4360.0, 1e5})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
       SCOPED_TRACE(::testing::Message() << "Pe = " << peclet);
@@ -82,10 +82,10 @@ TEST(ThriftyScheme, MeansConvergeAtAnySpeed) {
       const auto largest = [&](std::initializer_list<int> nodes) {
         Eigen::Array3d errors = Eigen::Array3d::Zero();
         for (const int n : nodes) {
-          const PrintedSolution x = with_means(scene, n, formulation);
+          const PublishedSolution x = with_means(scene, n, formulation);
           EXPECT_TRUE(x.converged);
           const double top =
-              thermoroll::thrifty_max_temperature(x, peclet, NodeKernel::mean).temperature;
+              thermoroll::cached_max_temperature(x, peclet, NodeKernel::mean).temperature;
           const Eigen::Array3d of_n{
               (x.load_ratio - 1) / (exact.value(thermoroll::load_ratio) - 1) - 1,
               top / exact.value(thermoroll::hottest) - 1,
@@ -106,13 +106,13 @@ TEST(ThriftyScheme, MeansConvergeAtAnySpeed) {
 
 // Where the kernel is wide and the heat smooth across a hat, mean and sample agree to the square of
 // the hat's width, Pe h << 1.
-TEST(ThriftyScheme, MeansAreSamplesWhereTheKernelIsWide) {
+TEST(CachedScheme, MeansAreSamplesWhereTheKernelIsWide) {
   const Driven scene{friction, 0.5, 0.1, 0.5};
-  PrintedOptions options;
+  PublishedOptions options;
   options.nodes = 100;
-  const PrintedSolution x = with_means(scene, 100);
-  const PrintedSolution y = thermoroll::solve_thrifty(scene, scene.traction, Formulation::corrected,
-                                                      NodeKernel::sample, options);
+  const PublishedSolution x = with_means(scene, 100);
+  const PublishedSolution y = thermoroll::solve_cached(
+      scene, scene.traction, Formulation::corrected, NodeKernel::sample, options);
   // The step of N1 at zero leaves half a node's share of a thermal term of size f Pe H.
   const double step = friction * scene.peclet * scene.heating * thermoroll::pi / 100;
   EXPECT_TRUE(close(x.load_ratio, y.load_ratio, step));
@@ -121,27 +121,27 @@ TEST(ThriftyScheme, MeansAreSamplesWhereTheKernelIsWide) {
 }
 
 // At H = 0 nothing is left of the kernels.
-TEST(ThriftyScheme, WithoutHeatMeansChangeNothing) {
+TEST(CachedScheme, WithoutHeatMeansChangeNothing) {
   for (const int n : {3, 40}) {
     const thermoroll::Carter c = thermoroll::carter(friction, 0.5);
-    const PrintedSolution x = with_means({friction, 0.5, 1000, 0}, n);
+    const PublishedSolution x = with_means({friction, 0.5, 1000, 0}, n);
     EXPECT_TRUE(close(x.load_ratio, 1, 10 * n * epsilon));
     EXPECT_TRUE(close(x.c0, c.c0, 10 * n * epsilon));
     EXPECT_TRUE(close(x.creep, c.creep, 10 * n * epsilon));
   }
 }
 
-TEST(ThriftyScheme, RefusesWhatMakesNoSense) {
+TEST(CachedScheme, RefusesWhatMakesNoSense) {
   const Driven scene{friction, 0.5, 100, 0.0175};
-  PrintedOptions options;
+  PublishedOptions options;
   options.nodes = 2;
-  EXPECT_THROW(thermoroll::solve_thrifty(scene, scene.traction, Formulation::corrected,
-                                         NodeKernel::mean, options),
+  EXPECT_THROW(thermoroll::solve_cached(scene, scene.traction, Formulation::corrected,
+                                        NodeKernel::mean, options),
                std::invalid_argument);
   options = {};
   options.heaviside_at_zero = 0.5;
-  EXPECT_THROW(thermoroll::solve_thrifty(scene, scene.traction, Formulation::corrected,
-                                         NodeKernel::sample, options),
+  EXPECT_THROW(thermoroll::solve_cached(scene, scene.traction, Formulation::corrected,
+                                        NodeKernel::sample, options),
                std::invalid_argument);
   EXPECT_THROW(with_means({friction, 0.7, 100, 0.0175}, 50), std::invalid_argument);
 }

@@ -53,10 +53,10 @@ TEST(Claims, FirstOrderEffectIsTheLimitOfTheScheme) {
     // At Pe = 100 and n = 400 the kernel is resolved to (h Pe)^2/24 = 0.03 and f H = 0.01 is the
     // next order in H.
     const reference::FirstOrder finite = reference::first_order(traction, 100);
-    thermoroll::PrintedOptions options;
+    thermoroll::PublishedOptions options;
     options.nodes = 400;
-    const thermoroll::PrintedSolution x = solve_printed({friction, traction, 100, heating},
-                                                        thermoroll::Formulation::printed, options);
+    const thermoroll::PublishedSolution x = solve_published(
+        {friction, traction, 100, heating}, thermoroll::Formulation::printed, options);
     EXPECT_TRUE(close((1 - x.load_ratio) / scale / finite.load_loss, 1, 0.04)) << traction;
     EXPECT_TRUE(close(x.gamma0 / scale / finite.gamma0, 1, 0.04)) << traction;
   }
@@ -169,7 +169,7 @@ TEST(Claims, VerdictsFollowFromTheTable) {
   int numbers = 0, statements = 0;
   for (const Claim& c : claims()) {
     SCOPED_TRACE(c.claim);
-    for (const std::string& cell : {c.claim, c.paper, c.printed, c.converged, c.verdict})
+    for (const std::string& cell : {c.claim, c.paper, c.published, c.converged, c.verdict})
       EXPECT_FALSE(cell.empty());
     const auto is_number = [](const std::string& cell) {
       return cell.find_first_not_of("0123456789.") == std::string::npos &&
@@ -194,7 +194,7 @@ TEST(Claims, RecordIsThatOfTheRuns) {
   const thermoroll::Record record = thermoroll::scheme_record();
   EXPECT_TRUE(record.converged);
   EXPECT_GT(record.coarse_error, record.fine_error);
-  thermoroll::PrintedOptions options;
+  thermoroll::PublishedOptions options;
   options.tolerance = 1e-3;
   for (const double traction : {0.2, 0.59}) {
     const double exact = thermoroll::max_temperature(
@@ -202,11 +202,11 @@ TEST(Claims, RecordIsThatOfTheRuns) {
                              .temperature.value;
     for (const int nodes : {50, 200}) {
       options.nodes = nodes;
-      const thermoroll::PrintedSolution x = solve_printed(
+      const thermoroll::PublishedSolution x = solve_published(
           {friction, traction, 5000, heating}, thermoroll::Formulation::printed, options);
       EXPECT_LE(x.inner_iterations, record.inner);
       EXPECT_LE(x.outer_iterations, record.outer);
-      const double found = thermoroll::printed_max_temperature(x, 5000).temperature;
+      const double found = thermoroll::published_max_temperature(x, 5000).temperature;
       const double largest = nodes == 50 ? record.coarse_error : record.fine_error;
       EXPECT_LE(100 * std::abs(found / exact - 1), largest + 0.5) << nodes;
     }

@@ -31,11 +31,11 @@ using thermoroll::CoupledSolution;
 using thermoroll::Factors;
 using thermoroll::FluxMap;
 using thermoroll::Formulation;
-using thermoroll::PrintedSolution;
+using thermoroll::PublishedSolution;
 using thermoroll::Violation;
 namespace kernel = thermoroll::kernel;
-namespace scaled = thermoroll::scaled;
-namespace typed = thermoroll::typed;
+namespace naive_scaled = thermoroll::naive_scaled;
+namespace naive = thermoroll::naive;
 
 using Kernel = double (*)(double);
 using Exact = Real (*)(Real);
@@ -66,19 +66,19 @@ Real worst(Kernel formula, Exact exact, double zeta) {
 // Beyond, nothing is left of what is finite; the scaled functions and ours go on.
 TEST(Arithmetic, PrintedFormulasOverflow) {
   for (const double x : {714.5, 1e3, 8720.0, 1e6, 1e12}) {
-    for (const double value : {typed::N1(x), typed::N2(-x), typed::M(-x)})
+    for (const double value : {naive::N1(x), naive::N2(-x), naive::M(-x)})
       EXPECT_FALSE(std::isfinite(value) && value != 0) << x;
-    EXPECT_EQ(thermoroll::digits_lost(typed::N1(x), kernel::N1(x)), -std::log10(epsilon));
-    EXPECT_LT(std::abs(scaled::M(-x) / reference::M(-x) - 1), 8 * epsilon);
+    EXPECT_EQ(thermoroll::digits_lost(naive::N1(x), kernel::N1(x)), -std::log10(epsilon));
+    EXPECT_LT(std::abs(naive_scaled::M(-x) / reference::M(-x) - 1), 8 * epsilon);
     for (const Real error :
          {kernel::N1(x) / reference::N1(x) - 1, kernel::N2(-x) / reference::N2(-x) - 1,
           kernel::M(-x) / reference::M(-x) - 1})
       EXPECT_LT(std::abs(error), 1e-13L) << x;
   }
   for (const double x : {10.0, 300.0, 700.0}) {
-    EXPECT_LT(worst(typed::N1, reference::N1, x / 1.26), 1e-11L) << x;
-    EXPECT_LT(worst(typed::N2, reference::N2, -x / 1.26), 1e-13L) << x;
-    EXPECT_LT(worst(typed::M, M, -x / 1.26), 1e-13L) << x;
+    EXPECT_LT(worst(naive::N1, reference::N1, x / 1.26), 1e-11L) << x;
+    EXPECT_LT(worst(naive::N2, reference::N2, -x / 1.26), 1e-13L) << x;
+    EXPECT_LT(worst(naive::M, M, -x / 1.26), 1e-13L) << x;
   }
 }
 
@@ -95,20 +95,20 @@ TEST(Arithmetic, DigitsAreLostFromNoneToAll) {
 // 1e-13 at the same arguments.
 TEST(Arithmetic, PrintedFormulasLoseDigitsByTheirLaws) {
   for (const double x : {1e2, 1e4, 1e7, 1e11}) {
-    EXPECT_TRUE(follows(worst(scaled::N1, reference::N1, x), 2 * x * epsilon)) << x;
-    EXPECT_TRUE(
-        follows(worst(scaled::N2, reference::N2, -x), std::sqrt(reference::pi * x / 2) * epsilon))
+    EXPECT_TRUE(follows(worst(naive_scaled::N1, reference::N1, x), 2 * x * epsilon)) << x;
+    EXPECT_TRUE(follows(worst(naive_scaled::N2, reference::N2, -x),
+                        std::sqrt(reference::pi * x / 2) * epsilon))
         << x;
     EXPECT_LT(worst(kernel::N1, reference::N1, x), 1e-13L) << x;
     EXPECT_LT(worst(kernel::N2, reference::N2, -x), 1e-13L) << x;
     if (x > 500) continue;
-    EXPECT_TRUE(follows(worst(typed::N1, reference::N1, x), 2 * x * epsilon)) << x;
+    EXPECT_TRUE(follows(worst(naive::N1, reference::N1, x), 2 * x * epsilon)) << x;
   }
   for (const double x : {1e-3, 1e-6, 1e-9, 1e-12})
     for (const double zeta : {x, -x}) {
       const Real law = epsilon / (x * std::log(2 / x));
-      EXPECT_TRUE(follows(worst(typed::N2, reference::N2, zeta), law)) << zeta;
-      EXPECT_TRUE(follows(worst(scaled::N2, reference::N2, zeta), law)) << zeta;
+      EXPECT_TRUE(follows(worst(naive::N2, reference::N2, zeta), law)) << zeta;
+      EXPECT_TRUE(follows(worst(naive_scaled::N2, reference::N2, zeta), law)) << zeta;
       EXPECT_LT(worst(kernel::N2, reference::N2, zeta), 1e-13L) << zeta;
     }
 }
@@ -162,7 +162,7 @@ TEST(Resolution, FirstOrderIsWhatTheSchemeDoes) {
   for (const double peclet : {20.0, 100.0, 1000.0})
     for (const int nodes : {50, 100, 200}) {
       const Driven scene{0.6, 0.5, peclet, 0.0175};
-      const PrintedSolution x = solve_printed(scene, Formulation::printed, {nodes});
+      const PublishedSolution x = solve_published(scene, Formulation::printed, {nodes});
       const CoupledSolution y =
           thermoroll::solve_coupled(scene, Formulation::printed, 1e-8, {thermoroll::traction, 0.5});
       const double seen = (1 - x.load_ratio) / (1 - y.value(thermoroll::load_ratio));
@@ -174,8 +174,8 @@ TEST(Resolution, FirstOrderIsWhatTheSchemeDoes) {
 
 namespace {
 
-PrintedSolution cycling(int nodes, Formulation formulation) {
-  return solve_printed({0.6, 0.5, 100, 0.5}, formulation, {nodes});
+PublishedSolution cycling(int nodes, Formulation formulation) {
+  return solve_published({0.6, 0.5, 100, 0.5}, formulation, {nodes});
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ PrintedSolution cycling(int nodes, Formulation formulation) {
 TEST(Resolution, ANodeAtTheBorderCyclesForEver) {
   for (const int nodes : {89, 91})
     EXPECT_TRUE(cycling(nodes, Formulation::corrected).converged) << nodes;
-  const PrintedSolution x = cycling(90, Formulation::corrected);
+  const PublishedSolution x = cycling(90, Formulation::corrected);
   EXPECT_FALSE(x.converged);
   const auto last = x.steps.rbegin();
   bool hot = false, cold = false;
@@ -476,17 +476,17 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
 // tolerance of 1e-6 for the border; with any, they have the signs of its tractions and velocities.
 TEST(Admissibility, OfTheScheme) {
   const double f = 0.6;
-  const Factors plain = factors(solve_printed({f, 0.5, 100, 0}, Formulation::printed), f);
+  const Factors plain = factors(solve_published({f, 0.5, 100, 0}, Formulation::printed), f);
   EXPECT_LT((plain.pressure - 2 / thermoroll::pi).abs().maxCoeff(), 1e-9);
   EXPECT_LT((plain.slip - 2 * f / thermoroll::pi).abs().maxCoeff(), 1e-4);
   EXPECT_TRUE(thermoroll::violations(plain).empty());
-  const auto x = solve_printed({f, 0.5, 100, 1}, Formulation::corrected, {50});
+  const auto x = solve_published({f, 0.5, 100, 1}, Formulation::corrected, {50});
   const Factors hot = factors(x, f);
   for (Eigen::Index i = 0; i < hot.s.size(); ++i) {
-    const double s = hot.s(i), p = thermoroll::printed_pressure(x, s);
+    const double s = hot.s(i), p = thermoroll::published_pressure(x, s);
     EXPECT_NEAR(hot.pressure(i) * std::sqrt((1 - s) * (1 + s)), p, 1e-12);
     const double root = std::sqrt((1 + s) * std::max(0.0, x.c0 - s));
-    const double shortfall = f * p - thermoroll::printed_traction(x, f, s);
+    const double shortfall = f * p - thermoroll::published_traction(x, f, s);
     EXPECT_NEAR(root > 0 ? hot.slip(i) * root : 0, shortfall, 1e-9);
   }
   EXPECT_TRUE((hot.s.tail(hot.s.size() - 1) > hot.s.head(hot.s.size() - 1)).all());

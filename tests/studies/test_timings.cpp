@@ -161,11 +161,11 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   EXPECT_EQ(found.hottest, coupled.value(thermoroll::hottest));
   EXPECT_EQ(found.creep, coupled.value(thermoroll::creep));
 
-  const auto scheme = solve_printed(scene, sign, {25});
+  const auto scheme = solve_published(scene, sign, {25});
   const Found described = find(steel, "gauss_chebyshev/n:25/Pe:4360/H:0.0175");
   EXPECT_EQ(described.load_ratio, scheme.load_ratio);
   EXPECT_EQ(described.creep, scheme.creep);
-  EXPECT_EQ(described.hottest, thermoroll::printed_max_temperature(scheme, 4360).temperature);
+  EXPECT_EQ(described.hottest, thermoroll::published_max_temperature(scheme, 4360).temperature);
   const Found thrifty = find(steel, "gauss_chebyshev_thrifty/n:25/Pe:4360/H:0.0175");
   EXPECT_NEAR(thrifty.hottest, described.hottest, 1e-12);
   const Found means = find(steel, "gauss_chebyshev_moments/n:25/Pe:4360/H:0.0175");

@@ -31,6 +31,23 @@ LinksAreTracked() {
   tracked || fail "a tracked picture was refused"
 }
 
+# The map names the folders that are there.
+MapNamesEachFolder() {
+  sed -n '/^    src/,/^    figures/s/^      \([a-z]*\)\/ .*/\1/p' README.md | sort >"$work/named"
+  find src -mindepth 1 -maxdepth 1 -type d -printf '%f\n' | sort | diff - "$work/named" || fail "src/ has other folders"
+  local folder
+  for folder in paper src figures tests; do grep -q "^    $folder/ " README.md || fail "$folder/ is not in the map"; done
+}
+
+# The version has its changes told, and is the same where it is built and cited.
+VersionIsTold() {
+  local version
+  version=$(sed -n 's/^project(thermoroll VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+  [ -n "$version" ] || fail "no version in CMakeLists.txt"
+  [ "$(sed -n 's/^version: //p' CITATION.cff)" = "$version" ] || fail "CITATION.cff has another version"
+  [ "$(sed -n 's/^## \([0-9.]*\).*/\1/p' CHANGELOG.md | head -1)" = "$version" ] || fail "CHANGELOG.md does not begin with $version"
+}
+
 # same_picture FILE FILE: the same drawing, but for a fifth of a pixel (another machine rounds
 # otherwise), and the same words.
 same_picture() {
@@ -45,7 +62,7 @@ same_picture() {
     END { if ((getline line <other) == 1) exit 1 }' "$1"
 }
 
-PictureIsCurrent() {
+PictureIsCurrent() { # slow
   local picture=figures/golden/temperature-load.svg
   bash tests/figures/readme-picture.sh >"$work/today.svg"
   same_picture "$work/today.svg" "$picture" || fail "$picture is out of date: run make golden"

@@ -206,11 +206,33 @@ END
   tangle one.md two.md
   expect_file src/a.cpp <<'END'
 int first;
-
 int second;
-
 int third;
 int last;
+END
+}
+
+PartsWithTitlesAreApart() {
+  chapter one.md <<'END'
+``` {.cpp file=src/a.cpp}
+<<list>>
+```
+``` {.cpp #list title="The first"}
+int first;
+```
+``` {.cpp #list title="The second"}
+int second;
+```
+``` {.cpp #list}
+int third;
+```
+END
+  tangle one.md
+  expect_file src/a.cpp <<'END'
+int first;
+
+int second;
+int third;
 END
 }
 

@@ -1,4 +1,4 @@
-// Tangled from paper/07-printed-scheme.md; edit there.
+// Tangled from paper/07-published-scheme.md; edit there.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ Grid gauss_chebyshev(int n);
 /// principal value (1/pi) PV int p*(t) / (t - s) dt at the collocation points.
 Eigen::MatrixXd cauchy_matrix(const Grid& g);
 
-struct PrintedOptions {
+struct PublishedOptions {
   int nodes = 200;               ///< n >= 3
   double tolerance = 1e-6;       ///< relative, of v* and of the traction
   double heaviside_at_zero = 0;  ///< the value of H(0) at a coincident node
@@ -39,7 +39,7 @@ struct InnerStep {
 };
 
 /// What the scheme computes; dimensionless. The scheme has no error estimate.
-struct PrintedSolution {
+struct PublishedSolution {
   Grid grid;
   Eigen::VectorXd phi;        ///< factor of the pressure at t, @eq:factors
   Eigen::VectorXd phi0;       ///< factor of the corrective traction at tau = t
@@ -57,30 +57,30 @@ struct PrintedSolution {
 
 /// Run the scheme for a traction Q*, 0 < Q* < f. Throws std::invalid_argument for a scene, a
 /// traction or a node count out of range.
-PrintedSolution solve_printed(const Scene& scene, double traction, Formulation formulation,
-                              const PrintedOptions& options = {});
+PublishedSolution solve_published(const Scene& scene, double traction, Formulation formulation,
+                                  const PublishedOptions& options = {});
 
 /// w_k v*(t_k) at the hot nodes, those with t_k > c0, zero at the others.
-Eigen::VectorXd hot_slip(const PrintedSolution& x);
+Eigen::VectorXd hot_slip(const PublishedSolution& solution);
 
 /// The heat g_k at each node, @eq:node-heat; their sum is the integral of v* p*.
-Eigen::VectorXd node_heat(const PrintedSolution& x);
+Eigen::VectorXd node_heat(const PublishedSolution& solution);
 
-/// T*(s) by the paper's rule, @eq:printed-temperature; s must not be a hot node.
-double printed_temperature(const PrintedSolution& x, double peclet, double s);
+/// T*(s) by the paper's rule, @eq:published-temperature; s must not be a hot node.
+double published_temperature(const PublishedSolution& solution, double peclet, double s);
 
 /// The largest temperature at the collocation points, and where.
-struct PrintedPeak {
+struct PublishedPeak {
   double at;           ///< s
   double temperature;  ///< T*
 };
-PrintedPeak printed_max_temperature(const PrintedSolution& x, double peclet);
+PublishedPeak published_max_temperature(const PublishedSolution& solution, double peclet);
 
 /// p*(s) and q*(s); zero outside [-1, 1]. Dimensionless (per P/a).
-double printed_pressure(const PrintedSolution& x, double s);
-double printed_traction(const PrintedSolution& x, double friction, double s);
+double published_pressure(const PublishedSolution& solution, double s);
+double published_traction(const PublishedSolution& solution, double friction, double s);
 
 /// The factors of the tractions, for the conditions of @eq:admissible.
-Factors factors(const PrintedSolution& x, double friction);
+Factors factors(const PublishedSolution& solution, double friction);
 
 }  // namespace thermoroll

@@ -47,7 +47,7 @@ struct Solution {
   Approach approach;
   Results value;
   std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
-  std::variant<Carter, PrintedSolution, CoupledSolution> found;
+  std::variant<Carter, PublishedSolution, CoupledSolution> found;
   bool converged = true;
   std::string model{}, reason{};        ///< the rung of @sec:ladder and why; empty for the scheme
   std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one

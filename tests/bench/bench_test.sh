@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# bench_test.sh CASE BENCH PROGRAM: one promise of the benchmarks, run in the project's folder. The cases
+# are the functions below that begin with a capital.
+source tests/common.sh
+bench=$2 program=$3
+
+# The benchmarks have the names that the report speaks of, each once.
+NamesAreThoseOfTheReport() {
+  "$bench" --benchmark_list_tests >"$work/names"
+  local name
+  for name in closed_form temperature_curve/points:400 \
+    gauss_chebyshev{,_thrifty,_moments}/n:{25,200,800}/Pe:{100,4360}/H:0.0175 \
+    gauss_chebyshev{,_thrifty,_moments}/n:200/Pe:100/H:1 \
+    coupled/tol:{0.01,1e-06,1e-08}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1}; do
+    grep -qxF "$name" "$work/names" || fail "no benchmark $name"
+  done
+  [ -z "$(sort "$work/names" | uniq -d)" ] || fail "named twice: $(sort "$work/names" | uniq -d)"
+}
+
+# The program reads what the benchmarks write.
+TimesCanBeRead() {
+  "$bench" --benchmark_filter='^closed_form$|n:25/Pe:4360' --benchmark_min_time=0.001 \
+    --benchmark_format=json >"$work/times.json" 2>/dev/null
+  "$program" figure-data times --times "$work/times.json" --output "$work/times.csv"
+  [ "$(wc -l <"$work/times.csv")" = 5 ] || fail "$(cat "$work/times.csv")"
+  awk -F, 'NR > 1 && !($2 > 0 && $2 < 10) { exit 1 }' "$work/times.csv" || fail "$(cat "$work/times.csv")"
+}
+
+# Each but the longest runs, and reports no error but that the scheme does not settle at some case.
+EachRuns() {
+  local choice='--benchmark_filter=-random|n:[248]00'
+  "$bench" "$choice" --benchmark_min_time=0 --benchmark_format=csv >"$work/times" 2>"$work/log" || fail "$(cat "$work/log")"
+  [ "$(grep -c '^"' "$work/times")" = "$("$bench" "$choice" --benchmark_list_tests | wc -l)" ] || fail "some are missing"
+  ! grep ',true,' "$work/times" | grep -v '"does not settle"' || fail "not all could run"
+}
+
+"$1"
