@@ -458,9 +458,9 @@ local pieces = pandoc.List() -- what the tangler sees, in order
 local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 
-local function titled(chunk, title)
-  return string.format('⟨%s <span class="chunk-number">%s</span>⟩',
-    title and html_of(inlines_of(title)) or escape(chunk.name), chunk.number)
+local function titled(chunk, title, part)
+  return string.format('⟨%s <span class="chunk-number">%s%s</span>⟩',
+    title and html_of(inlines_of(title)) or escape(chunk.name), chunk.number, part and "." .. part or "")
 end
 
 --- A chunk whose later parts have titles of their own goes by its name; each part has its title.
@@ -496,6 +496,9 @@ local function collect_chunks()
   stop_on_mistakes()
   for _, chunk in pairs(chunks) do
     chunk.html = titled(chunk, not chunk.of_parts and chunk.title)
+    for part, piece in ipairs(chunk.pieces) do
+      piece.html_title = chunk.of_parts and piece.title and titled(chunk, piece.title, part) or chunk.html
+    end
     labels["lst:" .. chunk.name].html = chunk.html
   end
 end
@@ -577,8 +580,8 @@ end
 local function joined(pieces_using)
   local seen, out = {}, {}
   for _, piece in ipairs(pieces_using) do
-    if not seen[piece.id] then table.insert(out, link(anchor(piece), chunks[piece.id].html)) end
-    seen[piece.id] = true
+    if not seen[piece.html_title] then table.insert(out, link(anchor(piece), piece.html_title)) end
+    seen[piece.html_title] = true
   end
   return table.concat(out, ", ")
 end
@@ -597,14 +600,15 @@ local function chunk_box(piece)
       local html = ' <a href="#%s" aria-label="%s">%s</a>'
       return other and html:format(anchor(other), label, sign) or ""
     end
-    parts = string.format('<span class="part">part %d of %d%s%s</span>', piece.part, #chunk.pieces,
+    parts = string.format('<span class="part">%spart %d of %d%s%s</span>',
+      chunk.of_parts and chunk.html .. " += " or "", piece.part, #chunk.pieces,
       step(chunk.pieces[piece.part - 1], "↑", "previous part"),
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
-  local title = chunk.of_parts and piece.title and titled(chunk, piece.title) or chunk.html
-  return raw(string.format('<div class="chunk" id="%s">\n<div class="chunk-head">'
+  local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
+  return raw(string.format('<div class="%s" id="%s">\n<div class="chunk-head">'
     .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', escape(anchor(piece)), title, parts,
+    .. '<div class="chunk-notes">%s</div>\n</div>', class, escape(anchor(piece)), piece.html_title, parts,
     piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -661,11 +665,13 @@ local function place_bibliography(blocks)
 end
 
 local function chunk_index()
-  local function title(chunk) return (chunk.title or chunk.name):lower() .. "\0" .. chunk.name end
+  local function title(chunk)
+    return (not chunk.of_parts and chunk.title or chunk.name):lower() .. "\0" .. chunk.name
+  end
   local out = { '<ul class="index">' }
   for _, chunk in ipairs(sorted(chunks, title)) do
     local places = pandoc.List(chunk.pieces):map(function(piece)
-      return link(anchor(piece), where(piece))
+      return link(anchor(piece), (chunk.of_parts and piece.html_title .. " " or "") .. where(piece))
     end)
     table.insert(out, string.format("<li>%s<div><code>%s</code> · defined at %s%s%s</div></li>",
       link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name), table.concat(places, ", "),

@@ -10,6 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/names.hpp"
+
 namespace thermoroll {
 namespace {
 
@@ -17,6 +19,11 @@ struct CaseOption {
   const char *name, *unit, *meaning;
   Maybe CaseOptions::*value;
 };
+
+constexpr CaseOption group_options[] = {
+    {"--peclet", "NUMBER", "Peclet number Pe = V a / 2k", &CaseOptions::peclet},
+    {"--heating", "NUMBER", "heating H = 2 alpha (1+nu) k P / (a K), 0 if not given",
+     &CaseOptions::heating}};
 
 constexpr CaseOption si_options[] = {
     {"--load", "N/m", "load per unit length P", &CaseOptions::load},
@@ -39,6 +46,40 @@ constexpr CaseOption given_options[] = {
     {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
      &CaseOptions::border}};
 
+void declare(CLI::App& command, CaseOptions& o, const CaseOption& option, const char* group) {
+  command.add_option(option.name, o.*option.value, option.meaning)
+      ->type_name(option.unit)
+      ->check(finite_number(option.name + 2))
+      ->group(group);
+}
+
+void add_approach(CLI::App& command, CaseOptions& o) {
+  const auto methods = words(method_names), formulations = words(formulation_names);
+  command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
+      ->type_name(joined(methods, "|"))
+      ->check(one_of("method", methods))
+      ->group("Method");
+  const char* range = "1e-11 to 1e-2; 1e-6 unless given";
+  declare(command, o, {"--tolerance", "NUMBER", range, &CaseOptions::tolerance}, "Method");
+  command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number("nodes"))
+      ->group("Method");
+  command.add_option("--formulation", o.formulation, "sign of the slope, corrected unless given")
+      ->type_name(joined(formulations, "|"))
+      ->check(one_of("formulation", formulations))
+      ->group("Method");
+}
+
+Approach read_approach(const CaseOptions& o) {
+  Approach a;
+  a.method = value_of(method_names, o.method);
+  a.formulation = value_of(formulation_names, o.formulation);
+  a.nodes = o.nodes.value_or(a.nodes);
+  a.tolerance = o.tolerance.value_or(a.tolerance);
+  return a;
+}
+
 Prescribed read_given(const CaseOptions& o) {
   if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
     throw std::invalid_argument(
@@ -56,20 +97,6 @@ CLI::Validator allow(const std::string& name, Condition condition, const std::st
         throw std::invalid_argument(name + " = " + text + " is not allowed: it must be " + allowed);
       },
       ""};
-}
-
-Approach read_approach(const CaseOptions& o) {
-  const Method method = o.method == "auto"          ? Method::automatic
-                        : o.method == "coupled"     ? Method::coupled
-                        : o.method == "first-order" ? Method::first_order
-                        : o.method == "closed-form" ? Method::closed_form
-                                                    : Method::gauss_chebyshev;
-  Approach a;
-  a.method = method;
-  a.formulation = o.formulation == "printed" ? Formulation::printed : Formulation::corrected;
-  a.nodes = o.nodes.value_or(a.nodes);
-  a.tolerance = o.tolerance.value_or(a.tolerance);
-  return a;
 }
 
 /// The name of the first option of the program and the subcommand that is run, for which this
@@ -90,40 +117,6 @@ std::string or_else(const std::string& text, const std::string& other) {
 
 }  // namespace
 
-std::optional<double> to_number(const std::string& text) {
-  char* end = nullptr;
-  const double x = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(x)) return std::nullopt;
-  return x;
-}
-
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
-CLI::Validator finite_number(const std::string& name) {
-  return allow(
-      name, [](const std::string& text) { return to_number(text).has_value(); }, "a finite number");
-}
-
-CLI::Validator whole_number(const std::string& name) {
-  const auto is_whole = [](const std::string& text) {
-    int n = 0;
-    std::from_chars(text.data(), text.data() + text.size(), n);
-    return std::to_string(n) == text;
-  };
-  return allow(name, is_whole, "a whole number");
-}
-
-CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words) {
-  const auto known = [=](const std::string& text) {
-    return std::find(words.begin(), words.end(), text) != words.end();
-  };
-  return allow(name, known, joined(words, " or "));
-}
-
 bool is_si_option(const std::string& name) {
   const auto same = [&](const CaseOption& option) { return option.name == "--" + name; };
   return std::any_of(std::begin(si_options), std::end(si_options), same) ||
@@ -132,42 +125,19 @@ bool is_si_option(const std::string& name) {
 
 void add_case_options(CLI::App& command, CaseOptions& o) {
   const auto add = [&](const CaseOption& option, const char* group) {
-    return command.add_option(option.name, o.*option.value, option.meaning)
-        ->type_name(option.unit)
-        ->check(finite_number(option.name + 2))
-        ->group(group);
+    declare(command, o, option, group);
   };
-  const char* groups = "Dimensionless case";
   command.add_option("--friction", o.friction, "friction coefficient f, positive")
       ->type_name("NUMBER")
       ->check(finite_number("friction"))
       ->required()
       ->group("Case");
   for (const CaseOption& option : given_options) add(option, "Case");
-  add({"--peclet", "NUMBER", "Peclet number Pe = V a / 2k", &CaseOptions::peclet}, groups);
-  add({"--heating", "NUMBER", "heating H = 2 alpha (1+nu) k P / (a K), 0 if not given",
-       &CaseOptions::heating},
-      groups);
+  for (const CaseOption& option : group_options) add(option, "Dimensionless case");
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
   for (const CaseOption& option : si_options) add(option, si);
   for (const CaseOption& option : size_options) add(option, si);
-  command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
-      ->type_name("auto|closed-form|first-order|coupled|gauss-chebyshev")
-      ->check(
-          one_of("method", {"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"}))
-      ->group("Method");
-  command.add_option("--tolerance", o.tolerance, "1e-11 to 1e-2; 1e-6 unless given")
-      ->type_name("NUMBER")
-      ->check(finite_number("tolerance"))
-      ->group("Method");
-  command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
-      ->type_name("NUMBER")
-      ->check(whole_number("nodes"))
-      ->group("Method");
-  command.add_option("--formulation", o.formulation, "sign of the slope, corrected unless given")
-      ->type_name("printed|corrected")
-      ->check(one_of("formulation", {"printed", "corrected"}))
-      ->group("Method");
+  add_approach(command, o);
 }
 
 Case read_case(const CaseOptions& o) {
@@ -205,6 +175,40 @@ SolvedCase solve_case(const Case& c) {
   const Solution x = solve(scene, c.given, c.approach);
   if (!physical) return {x, {}, {}};
   return {x, units_of(*physical, scene.friction), in_si_units(x, *physical, c.radius.has_value())};
+}
+
+CLI::Validator finite_number(const std::string& name) {
+  return allow(
+      name, [](const std::string& text) { return to_number(text).has_value(); }, "a finite number");
+}
+
+CLI::Validator whole_number(const std::string& name) {
+  const auto is_whole = [](const std::string& text) {
+    int n = 0;
+    std::from_chars(text.data(), text.data() + text.size(), n);
+    return std::to_string(n) == text;
+  };
+  return allow(name, is_whole, "a whole number");
+}
+
+CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words) {
+  const auto known = [=](const std::string& text) {
+    return std::find(words.begin(), words.end(), text) != words.end();
+  };
+  return allow(name, known, joined(words, " or "));
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::optional<double> to_number(const std::string& text) {
+  char* end = nullptr;
+  const double x = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(x)) return std::nullopt;
+  return x;
 }
 
 std::string reworded(const CLI::ParseError& error, const CLI::App& app) {

@@ -18,8 +18,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/deliver.hpp"
 #include "program/exit_status.hpp"
-#include "program/output.hpp"
+#include "program/format.hpp"
 #include "program/sweep.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
@@ -106,12 +107,8 @@ class CaseFile : public CLI::ConfigBase {
   const CLI::App& program_;
 };
 
-Format read_format(const std::string& name) {
-  return name == "json" ? Format::json : name == "csv" ? Format::csv : Format::text;
-}
-
 void say_what_is_unused(const CaseOptions& o) {
-  const bool scheme = o.method == "gauss-chebyshev";
+  const bool scheme = value_of(method_names, o.method) == Method::gauss_chebyshev;
   if (scheme ? o.tolerance.has_value() : o.nodes.has_value())
     std::fprintf(stderr, "thermoroll: note: %s makes no difference to --method %s\n",
                  scheme ? "--tolerance" : "--nodes", o.method.c_str());
@@ -146,22 +143,10 @@ void run_solve(const Options& o) {
   if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
     throw std::invalid_argument("--profile and --output are the same file, " + o.output);
   const auto [x, units, physical] = solve_case(read_case(o.of_case));
-  std::vector<Answer> answers{{present(x, physical, read_format(o.format)), o.output}};
+  std::vector<Answer> answers{{present(x, physical, value_of(format_names, o.format)), o.output}};
   if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
   deliver(answers);
   conclude(x, o.of_case);
-}
-
-void run_sweep(const Options& o) {
-  const unsigned processors = std::thread::hardware_concurrency();  // 0 if unknown
-  const int jobs = o.jobs.value_or(std::max(1, static_cast<int>(processors)));
-  require(1 <= jobs && jobs <= 1024, "jobs", jobs, "from 1 to 1024");
-  const bool to_terminal = isatty(STDERR_FILENO) != 0;
-  const SweepCount rows = sweep(STDIN_FILENO, jobs, to_terminal && isatty(STDOUT_FILENO) == 0);
-  if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
-  if (rows.failed > 0)
-    throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
-                     " rows have an error: see their columns status and error");
 }
 
 void run_temperature(const Options& o) {
@@ -189,7 +174,76 @@ void run_figure_data(const Options& o) {
 }
 
 void run_claims(const Options& o) {
-  deliver({{present(claims(), read_format(o.format)), o.output}});
+  deliver({{present(claims(), value_of(format_names, o.format)), o.output}});
+}
+
+void run_sweep(const Options& o) {
+  const unsigned processors = std::thread::hardware_concurrency();  // 0 if unknown
+  const int jobs = o.jobs.value_or(std::max(1, static_cast<int>(processors)));
+  require(1 <= jobs && jobs <= 1024, "jobs", jobs, "from 1 to 1024");
+  const bool to_terminal = isatty(STDERR_FILENO) != 0;
+  const SweepCount rows = sweep(STDIN_FILENO, jobs, to_terminal && isatty(STDOUT_FILENO) == 0);
+  if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
+  if (rows.failed > 0)
+    throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
+                     " rows have an error: see their columns status and error");
+}
+
+void add_format(CLI::App& command, Options& o) {
+  command.add_option("--format", o.format, "format of the result, text unless given")
+      ->type_name(joined(words(format_names), "|"))
+      ->check(one_of("format", words(format_names)));
+}
+
+void add_output(CLI::App& command, Options& o) {
+  command.add_option("--output", o.output, "write to this file, all or nothing")->type_name("FILE");
+  command.add_flag("--verbose", o.verbose, "tell the time taken on standard error");
+}
+
+void add_solve(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("solve", "Solve one case and print the result");
+  add_case_options(command, o.of_case);
+  add_format(command, o);
+  command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
+      ->type_name("FILE");
+  add_output(command, o);
+}
+
+void add_temperature(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
+  add_case_options(command, o.of_case);
+  command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
+      ->type_name("POINTS")
+      ->required();
+  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
+      ->type_name("NUMBER")
+      ->check(finite_number("depth"));
+  add_output(command, o);
+}
+
+void add_sweep(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("sweep", "Solve a table of cases, row by row");
+  command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number("jobs"));
+  command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
+}
+
+void add_figure_data(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("figure-data", "Write the data of a figure or table of the report");
+  command.add_option("NAME", o.name, "which data")->type_name("");
+  command.add_flag("--list", o.list, "print the names that there are, in place of data");
+  command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
+      ->type_name("FILE");
+  add_output(command, o);
+}
+
+void add_claims(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("claims", "Print the paper's statements beside what was found");
+  add_format(command, o);
+  add_output(command, o);
 }
 
 constexpr const char* solve_examples = R"(Examples:
@@ -245,63 +299,6 @@ Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not
 2 refused (options, numbers or files that make no sense); 3 an iteration did not converge;
 4 a sweep is complete, but some of its rows have an error; 5 a solution was found, but it is no
 contact: what it violates, and where, is in the result.)";
-
-void add_format(CLI::App& command, Options& o) {
-  command.add_option("--format", o.format, "format of the result, text unless given")
-      ->type_name("text|json|csv")
-      ->check(one_of("format", {"text", "json", "csv"}));
-}
-
-void add_output(CLI::App& command, Options& o) {
-  command.add_option("--output", o.output, "write to this file, all or nothing")->type_name("FILE");
-  command.add_flag("--verbose", o.verbose, "tell the time taken on standard error");
-}
-
-void add_solve(CLI::App& program, Options& o) {
-  CLI::App& command = *program.add_subcommand("solve", "Solve one case and print the result");
-  add_case_options(command, o.of_case);
-  add_format(command, o);
-  command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
-      ->type_name("FILE");
-  add_output(command, o);
-}
-
-void add_sweep(CLI::App& program, Options& o) {
-  CLI::App& command = *program.add_subcommand("sweep", "Solve a table of cases, row by row");
-  command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
-      ->type_name("NUMBER")
-      ->check(whole_number("jobs"));
-  command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
-}
-
-void add_temperature(CLI::App& program, Options& o) {
-  CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
-  add_case_options(command, o.of_case);
-  command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
-      ->type_name("POINTS")
-      ->required();
-  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
-      ->type_name("NUMBER")
-      ->check(finite_number("depth"));
-  add_output(command, o);
-}
-
-void add_figure_data(CLI::App& program, Options& o) {
-  CLI::App& command =
-      *program.add_subcommand("figure-data", "Write the data of a figure or table of the report");
-  command.add_option("NAME", o.name, "which data")->type_name("");
-  command.add_flag("--list", o.list, "print the names that there are, in place of data");
-  command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
-      ->type_name("FILE");
-  add_output(command, o);
-}
-
-void add_claims(CLI::App& program, Options& o) {
-  CLI::App& command =
-      *program.add_subcommand("claims", "Print the paper's statements beside what was found");
-  add_format(command, o);
-  add_output(command, o);
-}
 
 std::string help(const CLI::App& program) {
   static const std::map<std::string, const char*> examples{{"solve", solve_examples},

@@ -8,12 +8,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <mutex>
 #include <thread>
 
 #include "program/command.hpp"
+#include "program/deliver.hpp"
 #include "program/exit_status.hpp"
-#include "program/output.hpp"
 
 namespace thermoroll {
 namespace {
@@ -21,7 +20,7 @@ namespace {
 void await_signal(const sigset_t& signals) {
   int signal = 0;
   sigwait(&signals, &signal);
-  const std::unique_lock<std::timed_mutex> whole(writing(), std::chrono::seconds(1));
+  stop_output(std::chrono::seconds(1));
   const char* line_end = isatty(STDERR_FILENO) != 0 ? "\n" : "";  // the terminal shows ^C
   std::fprintf(stderr, "%sthermoroll: stopped by a signal: %s\n", line_end, strsignal(signal));
   std::signal(signal, SIG_DFL);

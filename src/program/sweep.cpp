@@ -22,11 +22,69 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/deliver.hpp"
 #include "program/exit_status.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
 namespace {
+
+struct RowOptions {
+  RowOptions() { add_case_options(row, values); }
+  CaseOptions values;
+  CLI::App row;
+};
+
+std::vector<std::string> read_header(const std::string& line) {
+  const std::string mark = "\xEF\xBB\xBF";  // the byte-order mark
+  std::vector<std::string> columns = cells_of(line.substr(line.find(mark) == 0 ? mark.size() : 0));
+  if (line.find('"') != std::string::npos)
+    throw std::invalid_argument(
+        "the header has quotes, which are not read: write its names without");
+  if (line.find('\r') < line.find_last_not_of('\r'))
+    throw std::invalid_argument(
+        "the lines end in carriage returns alone: save them with line feeds");
+  const RowOptions options;
+  std::set<std::string> seen;
+  for (const std::string& name : columns) {
+    if (options.row.get_option_no_throw("--" + name) == nullptr || name == "help")
+      throw std::invalid_argument("the header names what is no option of solve: " + name);
+    if (!seen.insert(name).second)
+      throw std::invalid_argument("the header names " + name + " twice");
+  }
+  if (seen.count("friction") == 0) throw std::invalid_argument("the header lacks friction");
+  return columns;
+}
+
+std::size_t place(const std::string& name, const std::vector<std::string>& columns) {
+  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                  columns.begin());
+}
+
+std::string as_option(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+/// The cells as read, then those fields that have no column among them, then the last two columns;
+/// fields that were not found are left empty.
+std::string with_results(const SweepTable& table, std::vector<std::string> cells,
+                         const std::vector<Field>& found, const std::string& status,
+                         const std::string& error) {
+  cells.resize(table.columns.size());
+  std::string row, results;
+  auto next = found.begin();
+  for (const std::string& name : table.fields) {
+    const std::string cell = next != found.end() && next->name == name ? next++->cell : "";
+    const std::size_t column = place(as_option(name), table.columns);
+    if (column == cells.size())
+      results += cell + ',';
+    else if (cells[column].empty())
+      cells[column] = cell;
+  }
+  for (const std::string& cell : cells) row += quoted(cell) + ',';
+  return row + results + status + ',' + quoted(error) + '\n';
+}
 
 constexpr std::size_t longest_line = 10000;
 
@@ -66,65 +124,9 @@ bool Lines::fill(const std::atomic<bool>& stop) {
     if (count < 0 && errno != EAGAIN && errno != EINTR)
       throw std::system_error(errno, std::generic_category(), "cannot read the table");
   }
-  at_ = 0, end_ = static_cast<std::size_t>(count);
+  at_ = 0;
+  end_ = static_cast<std::size_t>(count);
   return count > 0;
-}
-
-struct RowOptions {
-  RowOptions() { add_case_options(row, values); }
-  CaseOptions values;
-  CLI::App row;
-};
-
-std::size_t place(const std::string& name, const std::vector<std::string>& columns) {
-  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
-                                  columns.begin());
-}
-
-std::string as_option(std::string name) {
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
-/// The cells as read, then those fields that have no column among them, then the last two columns;
-/// fields that were not found are left empty.
-std::string with_results(const SweepTable& table, std::vector<std::string> cells,
-                         const std::vector<Field>& found, const std::string& status,
-                         const std::string& error) {
-  cells.resize(table.columns.size());
-  std::string row, results;
-  auto next = found.begin();
-  for (const std::string& name : table.fields) {
-    const std::string cell = next != found.end() && next->name == name ? next++->cell : "";
-    const std::size_t column = place(as_option(name), table.columns);
-    if (column == cells.size())
-      results += cell + ',';
-    else if (cells[column].empty())
-      cells[column] = cell;
-  }
-  for (const std::string& cell : cells) row += quoted(cell) + ',';
-  return row + results + status + ',' + quoted(error) + '\n';
-}
-
-std::vector<std::string> read_header(const std::string& line) {
-  const std::string mark = "\xEF\xBB\xBF";  // the byte-order mark
-  std::vector<std::string> columns = cells_of(line.substr(line.find(mark) == 0 ? mark.size() : 0));
-  if (line.find('"') != std::string::npos)
-    throw std::invalid_argument(
-        "the header has quotes, which are not read: write its names without");
-  if (line.find('\r') < line.find_last_not_of('\r'))
-    throw std::invalid_argument(
-        "the lines end in carriage returns alone: save them with line feeds");
-  const RowOptions options;
-  std::set<std::string> seen;
-  for (const std::string& name : columns) {
-    if (options.row.get_option_no_throw("--" + name) == nullptr || name == "help")
-      throw std::invalid_argument("the header names what is no option of solve: " + name);
-    if (!seen.insert(name).second)
-      throw std::invalid_argument("the header names " + name + " twice");
-  }
-  if (seen.count("friction") == 0) throw std::invalid_argument("the header lacks friction");
-  return columns;
 }
 
 class Sweep {
@@ -142,10 +144,10 @@ class Sweep {
 
   Lines lines_;
   SweepTable table_;
-  std::mutex reading_;
+  std::mutex reading_, writing_;
   long taken_ = 0;
   std::array<std::optional<SweepRow>, 1000> window_;  // row k at k modulo its size
-  std::condition_variable_any moved_;                 // with writing()
+  std::condition_variable moved_;                     // with writing_
   SweepCount count_;
   bool progress_;
   std::chrono::steady_clock::time_point told_;
@@ -160,17 +162,10 @@ std::optional<std::string> Sweep::take(long& row) {
   return line;
 }
 
-void Sweep::tell() {
-  const auto now = std::chrono::steady_clock::now();
-  if (!progress_ || now - told_ < std::chrono::milliseconds(200)) return;
-  told_ = now;
-  std::fprintf(stderr, "thermoroll: %s    \r", summary(count_).c_str());
-}
-
 void Sweep::put(long row, SweepRow done) {
   const long size = static_cast<long>(window_.size());
   const auto at = [&](long k) -> auto& { return window_[static_cast<std::size_t>(k % size)]; };
-  std::unique_lock<std::timed_mutex> lock(writing());
+  std::unique_lock<std::mutex> lock(writing_);
   moved_.wait(lock, [&] { return row - count_.rows < size || stop_; });
   if (stop_) return;
   at(row) = std::move(done);
@@ -185,9 +180,9 @@ void Sweep::put(long row, SweepRow done) {
   moved_.notify_all();
 }
 
-/// In a handler, with writing() free.
+/// In a handler, with writing_ free.
 void Sweep::fail() {
-  const std::lock_guard<std::timed_mutex> lock(writing());
+  const std::lock_guard<std::mutex> lock(writing_);
   if (!stop_.exchange(true)) failure_ = std::current_exception();
   moved_.notify_all();
 }
@@ -217,10 +212,7 @@ SweepCount Sweep::run(int jobs) {
   table_ = table_of(*header);
   std::vector<Field> names;
   for (const std::string& name : table_.fields) names.push_back({name, name});
-  {
-    const std::lock_guard<std::timed_mutex> lock(writing());
-    print(with_results(table_, table_.columns, names, "status", "error"));
-  }
+  print(with_results(table_, table_.columns, names, "status", "error"));
   std::vector<std::thread> threads;
   try {
     while (threads.size() < static_cast<std::size_t>(jobs)) start_another(threads);
@@ -230,6 +222,13 @@ SweepCount Sweep::run(int jobs) {
   for (std::thread& thread : threads) thread.join();
   if (failure_) std::rethrow_exception(failure_);
   return count_;
+}
+
+void Sweep::tell() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!progress_ || now - told_ < std::chrono::milliseconds(200)) return;
+  told_ = now;
+  std::fprintf(stderr, "thermoroll: %s    \r", summary(count_).c_str());
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "program/case_options.hpp"
-#include "program/output.hpp"
+#include "program/format.hpp"
 
 namespace thermoroll {
 

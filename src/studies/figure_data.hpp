@@ -10,7 +10,7 @@
 
 namespace thermoroll {
 
-/// The names that write_figure_data knows.
+/// The names that write_figure_data knows, in alphabetical order.
 std::vector<std::string> figure_data_names();
 
 /// Write the data of that name: CSV with a header line, but JSON for "values". Throws

@@ -16,12 +16,6 @@
 namespace thermoroll {
 namespace {
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 nlohmann::json read_json(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("it cannot be read");
@@ -30,10 +24,23 @@ nlohmann::json read_json(const std::string& path) {
   return found;
 }
 
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void times_by_name(std::ostream& out, const Times& times) {
+  out << "name,seconds\n";
+  for (const auto& [name, time] : times) out << name << ',' << time << '\n';
+}
+
 std::string duration(double seconds) {
   if (seconds < 1e-3) return fixed(1e6 * seconds, seconds < 1e-5 ? 1 : 0) + " µs";
   return fixed(1e3 * seconds, seconds < 1e-2 ? 1 : 0) + " ms";
 }
+
+std::string below(double error) { return error < 1e-13 ? "< $10^{-13}$" : scientific(error, 1); }
 
 struct Bar {
   std::string key, claim;
@@ -73,11 +80,6 @@ std::vector<Bar> bars(const Times& times) {
            of("temperature_curve_coupled/points:400")}};
 }
 
-void times_by_name(std::ostream& out, const Times& times) {
-  out << "name,seconds\n";
-  for (const auto& [name, time] : times) out << name << ',' << time << '\n';
-}
-
 void table_of_bars(std::ostream& out, const Times& times) {
   out << "what is faster,published scheme,time,ratio,wanted,met\n";
   for (const Bar& bar : bars(times))
@@ -105,6 +107,17 @@ void table_of_shares(std::ostream& out, const Times& times) {
         << " %\n";
 }
 
+void carters_problem(std::ostream& out, const Times& times) {
+  out << "program,cells or unknowns,force,creep,traction,time\n"
+         "CONTACT,50,1.25 %,1.6 %,3.1 %,9 ms\n"
+         "CONTACT,200,0.31 %,0.42 %,1.6 %,29 ms\n"
+         "CONTACT,800,0.078 %,0.10 %,0.78 %,570 ms\n"
+         "CONTACT,1600,0.039 %,–,0.53 %,2920 ms\n";
+  const CarterErrors x = carter_errors();
+  out << "**coupled**," << x.unknowns << ',' << below(x.force) << ',' << below(x.creep) << ','
+      << below(x.traction) << ',' << duration(time_of(times, "carter")) << '\n';
+}
+
 void times_in_prose(std::ostream& out, const Times& times) {
   nlohmann::ordered_json v;
   for (const Bar& bar : bars(times)) {
@@ -126,19 +139,6 @@ void times_in_prose(std::ostream& out, const Times& times) {
   v["speed_thrifty"] = duration(thrifty);
   v["speed_repeated"] = fixed(100 * (1 - thrifty / scheme), 0);
   out << v.dump(2) << '\n';
-}
-
-std::string below(double error) { return error < 1e-13 ? "< $10^{-13}$" : scientific(error, 1); }
-
-void carters_problem(std::ostream& out, const Times& times) {
-  out << "program,cells or unknowns,force,creep,traction,time\n"
-         "CONTACT,50,1.25 %,1.6 %,3.1 %,9 ms\n"
-         "CONTACT,200,0.31 %,0.42 %,1.6 %,29 ms\n"
-         "CONTACT,800,0.078 %,0.10 %,0.78 %,570 ms\n"
-         "CONTACT,1600,0.039 %,–,0.53 %,2920 ms\n";
-  const CarterErrors x = carter_errors();
-  out << "**coupled**," << x.unknowns << ',' << below(x.force) << ',' << below(x.creep) << ','
-      << below(x.traction) << ',' << duration(time_of(times, "carter")) << '\n';
 }
 
 using TimedWriter = void (*)(std::ostream&, const Times&);

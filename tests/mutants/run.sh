@@ -28,7 +28,7 @@ copy_project() {
 choose() {
   awk -F '\t' -v only="$only" '
     BEGIN { numbers = split(only, at, "-"); ranged = only ~ /^[0-9]+(-[0-9]+)?$/ }
-    only == "" || $2 == only || (ranged && at[1] <= $1 + 0 && $1 + 0 <= at[numbers])' "$folder/all" >"$table"
+    only == "" || index("/" $2 ";", "/" only ";") || (ranged && at[1] <= $1 + 0 && $1 + 0 <= at[numbers])' "$folder/all" >"$table"
   [ -s "$table" ] || { echo "no mutant is of '$only'" >&2; exit 2; }
 }
 

@@ -384,15 +384,22 @@ PartsHaveTheirTitles() {
 
 ``` {.cpp #both title="The first"}
 int a;
+<<inner>>
 ```
 
 ``` {.cpp #both title="The second"}
 int b;
 ```
 
+``` {.cpp #inner title="Inner"}
+int c;
+```
+
 See @lst:both.
 END
-  expect '⟨The first 2⟩part 1 of 2 ↓' '⟨The second 2⟩part 2 of 2 ↑' 'See ⟨both 2⟩.'
+  expect '⟨The first 2.1⟩⟨both 2⟩ += part 1 of 2 ↓' '⟨The second 2.2⟩⟨both 2⟩ += part 2 of 2 ↑' \
+    'used in ⟨The first 2.1⟩' 'See ⟨both 2⟩.' '⟨The first 2.1⟩ one.md:10, ⟨The second 2.2⟩ one.md:15'
+  expect_html 'class="chunk more" id="lst:both:2"'
 }
 
 # A draft is one chapter with the numbers that it has in the whole. It tells of its own mistakes only,

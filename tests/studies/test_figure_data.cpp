@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "studies/data.hpp"
 #include "studies/figure_data.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/scene.hpp"
@@ -29,4 +34,19 @@ TEST(FigureData, SolvesAreCountedByTheirOutcome) {
 
   const auto refuse = []() -> CoupledSolution { throw std::runtime_error("not resolved"); };
   EXPECT_EQ(outcome(refuse), Outcome::refused);
+}
+
+// What is defined anywhere is known, in order, and written; a second of its name is refused and the
+// first is kept.
+TEST(FigureData, NamesAreRegisteredOnce) {
+  const thermoroll::FigureData mine{"mine", [](std::ostream& out) { out << 0.12345678901; }};
+  const std::vector<std::string> names = thermoroll::figure_data_names();
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  for (const char* name : {"mine", "values", "claims", "kernels", "traction", "rungs", "survival"})
+    EXPECT_TRUE(std::binary_search(names.begin(), names.end(), name)) << name;
+  EXPECT_THROW((thermoroll::FigureData{"mine", [](std::ostream&) {}}), std::logic_error);
+  std::ostringstream out;
+  thermoroll::write_figure_data("mine", out);
+  EXPECT_EQ(out.str(), "0.123456789");  // ten digits, of which the last is a zero
+  EXPECT_THROW(thermoroll::write_figure_data("theirs", out), std::invalid_argument);
 }

@@ -1,6 +1,6 @@
 // What is printed of a solution, against the solution itself.
 #include "driven.hpp"
-#include "program/output.hpp"
+#include "program/format.hpp"
 
 #include <cmath>
 #include <limits>

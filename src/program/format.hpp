@@ -1,17 +1,15 @@
 // Tangled from paper/A-command-line.md; edit there.
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "program/names.hpp"
 #include "studies/claims.hpp"
 #include "thermoroll/solution.hpp"
 
 namespace thermoroll {
-
-enum class Format { text, json, csv };
 
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
 std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format);
@@ -37,20 +35,5 @@ std::string curve_csv(const Curve& curve, const std::optional<Units>& units);
 
 /// A profile as CSV, with SI columns beside the dimensionless ones if the units are known.
 std::string profile_csv(const Profile& x, const std::optional<Units>& units);
-
-/// A text and the file to write it to; standard output if file is empty or "-".
-struct Answer {
-  std::string text, file;
-};
-
-/// Write the answers, each as a whole, or none where one cannot be written (what has gone to
-/// standard output or a device stays there). Throws std::system_error.
-void deliver(const std::vector<Answer>& answers);
-
-/// Write to standard output at once. Throws std::system_error.
-void print(const std::string& text);
-
-/// Held by deliver(), and to be held about print(): while it is not held, all output is whole.
-std::timed_mutex& writing();
 
 }  // namespace thermoroll

@@ -1,19 +1,10 @@
 // Tangled from paper/A-command-line.md; edit there.
-#include "program/output.hpp"
-
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "program/format.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
-#include <system_error>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -22,7 +13,6 @@
 
 namespace thermoroll {
 
-namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
 namespace {
@@ -57,56 +47,6 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"max_temperature_celsius", "Tmax", "degree C above ambient",
      &PhysicalResults::max_temperature_celsius}};
 
-/// A few digits, for the eye.
-std::string digits(double x, int significant) {
-  std::ostringstream out;
-  out << std::setprecision(significant) << x;
-  return out.str();
-}
-
-using Table = std::vector<std::vector<std::string>>;
-
-/// Characters of a UTF-8 text: all bytes but the continuing ones.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// The table with its columns padded to their widest cell, two blanks apart.
-std::string aligned(const Table& table) {
-  std::vector<std::size_t> widest(table.front().size(), 0);
-  for (const auto& row : table)
-    for (std::size_t i = 0; i < row.size(); ++i) widest[i] = std::max(widest[i], width(row[i]));
-  std::string text;
-  for (const auto& row : table) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += row[i] + std::string(widest[i] - width(row[i]) + 2, ' ');
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-  }
-  return text;
-}
-
-template <class T, std::size_t n>
-void require_finite(const Row<T> (&rows)[n], const T& values) {
-  for (const Row<T>& row : rows)
-    if (!std::isfinite(values.*row.value))
-      throw NotConverged(std::string("no finite result was found: ") + row.name + " is " +
-                         std::to_string(values.*row.value));
-}
-
-void require_finite(const Solution& x, const std::optional<FoundInSi>& physical) {
-  require_finite(result_rows, x.value);
-  if (x.error) require_finite(result_rows, *x.error);
-  if (physical) require_finite(physical_rows, physical->value);
-  if (physical && physical->error) require_finite(physical_rows, *physical->error);
-}
-
-const char* name_of(Method method) {
-  const char* const names[] = {"auto", "closed-form", "first-order", "coupled", "gauss-chebyshev"};
-  return names[static_cast<int>(method)];
-}
-
 template <class T, std::size_t n>
 json object(const Row<T> (&rows)[n], const T& values) {
   json o;
@@ -116,12 +56,11 @@ json object(const Row<T> (&rows)[n], const T& values) {
 
 json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   json o;
-  const bool printed = x.approach.formulation == Formulation::printed;
   const auto* scheme = std::get_if<PublishedSolution>(&x.found);
-  o["method"] = name_of(x.approach.method);
+  o["method"] = name_of(method_names, x.approach.method);
   o["model"] = scheme ? json() : json(x.model);
   o["reason"] = scheme ? json() : json(x.reason);
-  o["formulation"] = printed ? "printed" : "corrected";
+  o["formulation"] = name_of(formulation_names, x.approach.formulation);
   o["friction"] = x.scene.friction;
   o["traction"] = x.value.traction;
   o["peclet"] = x.scene.peclet;
@@ -147,6 +86,28 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   return o;
 }
 
+template <class T, std::size_t n>
+void require_finite(const Row<T> (&rows)[n], const T& values) {
+  for (const Row<T>& row : rows)
+    if (!std::isfinite(values.*row.value))
+      throw NotConverged(std::string("no finite result was found: ") + row.name + " is " +
+                         std::to_string(values.*row.value));
+}
+
+void require_finite(const Solution& x, const std::optional<FoundInSi>& physical) {
+  require_finite(result_rows, x.value);
+  if (x.error) require_finite(result_rows, *x.error);
+  if (physical) require_finite(physical_rows, physical->value);
+  if (physical && physical->error) require_finite(physical_rows, *physical->error);
+}
+
+/// A few digits, for the eye.
+std::string digits(double x, int significant) {
+  std::ostringstream out;
+  out << std::setprecision(significant) << x;
+  return out.str();
+}
+
 std::string csv_cell(const json& value) {
   if (value.is_null()) return "";
   if (value.is_array()) {
@@ -167,6 +128,35 @@ void flatten(const json& o, const std::string& prefix, std::vector<Field>& field
       fields.push_back({prefix + key, csv_cell(value)});
 }
 
+struct ProfileColumn {
+  const char *name, *si_name;
+  const Eigen::ArrayXd& values;
+  double unit;
+};
+
+using Table = std::vector<std::vector<std::string>>;
+
+/// Characters of a UTF-8 text: all bytes but the continuing ones.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// The table with its columns padded to their widest cell, two blanks apart.
+std::string aligned(const Table& table) {
+  std::vector<std::size_t> widest(table.front().size(), 0);
+  for (const auto& row : table)
+    for (std::size_t i = 0; i < row.size(); ++i) widest[i] = std::max(widest[i], width(row[i]));
+  std::string text;
+  for (const auto& row : table) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widest[i] - width(row[i]) + 2, ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
 std::string remark(const Solution& x) {
   if (x.approach.method != Method::closed_form || x.scene.heating == 0) return "";
   return "\nThe closed form leaves out what the heat does to the tractions. The errors are\n"
@@ -182,7 +172,10 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     table.push_back({name, symbol, text, "", ""});
   };
   plain("method", "");
-  if (x.approach.method == Method::automatic) plain("model", ""), plain("reason", "");
+  if (x.approach.method == Method::automatic) {
+    plain("model", "");
+    plain("reason", "");
+  }
   if (x.approach.method != Method::closed_form) plain("formulation", "");
   plain("friction", "f");
   plain("peclet", "Pe");
@@ -219,96 +212,7 @@ json claims_json(const Table& table) {
   return list;
 }
 
-struct ProfileColumn {
-  const char *name, *si_name;
-  const Eigen::ArrayXd& values;
-  double unit;
-};
-
-/// How much of the text could be written; if not all, errno says why.
-std::size_t write_all(int file, const std::string& text) {
-  pollfd output{file, POLLOUT, 0};
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t count = write(file, text.data() + done, text.size() - done);
-    if (count >= 0)
-      done += static_cast<std::size_t>(count);
-    else if (errno == EAGAIN)
-      poll(&output, 1, -1);
-    else if (errno != EINTR)
-      break;
-  }
-  return done;
-}
-
-/// A file to be written: its name as given, that without links, and where it is written until it is
-/// whole. This is empty for a device, which is in its place.
-struct Written {
-  std::string file, target, aside;
-};
-
-/// Create the file aside; its descriptor, or -1.
-int create_beside(Written& x) {
-  const fs::path folder = fs::path(x.target).parent_path();
-  for (int k = 0;; ++k) {
-    const std::string name = "thermoroll-" + std::to_string(getpid()) + '-' + std::to_string(k);
-    const fs::path aside = folder / name;
-    const int file = open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0) x.aside = aside.string();
-    if (file >= 0 || errno != EEXIST) return file;
-  }
-}
-
-std::string end_of_links(fs::path file) {
-  std::error_code none;
-  for (int links = 0; links < 40 && fs::is_symlink(file, none); ++links)
-    file = file.parent_path() / fs::read_symlink(file, none);
-  return file.string();
-}
-
-int open_aside(Written& x) {
-  const char* name = x.file.c_str();
-  struct stat old {};
-  const bool is_new = stat(name, &old) != 0;
-  if (is_new && errno != ENOENT) return -1;
-  if (!is_new && !S_ISREG(old.st_mode)) return open(name, O_WRONLY | O_TRUNC | O_CLOEXEC);
-  if (!is_new && access(name, W_OK) != 0) return -1;
-  x.target = end_of_links(x.file);
-  const int file = create_beside(x);
-  if (file >= 0 && !is_new) fchmod(file, old.st_mode & 07777U);
-  return file;
-}
-
-[[noreturn]] void cannot_write(const std::string& what, int reason) {
-  throw std::system_error(reason, std::generic_category(), "cannot write " + what);
-}
-
-void write_aside(Written& x, const std::string& text) {
-  const int file = open_aside(x);
-  if (file < 0) cannot_write(x.file, errno);
-  const int reason = write_all(file, text) < text.size() ? errno : 0;
-  if (close(file) != 0 || reason != 0) cannot_write(x.file, reason != 0 ? reason : errno);
-}
-
-void put_in_place(const Written& x) {
-  if (std::rename(x.aside.c_str(), x.target.c_str()) != 0) cannot_write(x.file, errno);
-}
-
-void take_back(std::size_t count) {
-  const off_t end = lseek(STDOUT_FILENO, 0, SEEK_CUR);  // negative for a pipe
-  const bool appends = (fcntl(STDOUT_FILENO, F_GETFL) & O_APPEND) != 0;
-  if (count == 0 || end < 0 || appends) return;
-  [[maybe_unused]] const int none = ftruncate(STDOUT_FILENO, end - static_cast<off_t>(count));
-}
-
 }  // namespace
-
-std::string quoted(std::string text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  for (std::size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
-    text.insert(i, "\"");
-  return '"' + text + '"';
-}
 
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical) {
   require_finite(x, physical);
@@ -322,30 +226,11 @@ std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>&
   return fields;
 }
 
-std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format) {
-  require_finite(x, physical);
-  if (format == Format::text) return to_text(x, physical);
-  if (format == Format::json) return to_json(x, physical).dump(2) + '\n';
-  std::string header, cells;
-  for (const Field& field : csv_fields(x, physical)) {
-    const char* comma = header.empty() ? "" : ",";
-    header.append(comma).append(field.name);
-    cells.append(comma).append(field.cell);
-  }
-  return header + '\n' + cells + '\n';
-}
-
-std::string present(const std::vector<Claim>& claims, Format format) {
-  Table table{{"claim", "paper", "printed", "converged", "verdict"}};
-  for (const Claim& c : claims)
-    table.push_back({c.claim, c.paper, c.published, c.converged, c.verdict});
-  if (format == Format::text) return aligned(table);
-  if (format == Format::json) return claims_json(table).dump(2) + '\n';
-  std::string text;
-  for (const auto& row : table)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text += quoted(row[i]) + (i + 1 < row.size() ? ',' : '\n');
-  return text;
+std::string quoted(std::string text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  for (std::size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 2))
+    text.insert(i, "\"");
+  return '"' + text + '"';
 }
 
 std::string curve_csv(const Curve& curve, const std::optional<Units>& units) {
@@ -379,35 +264,30 @@ std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   return text + '\n';
 }
 
-std::timed_mutex& writing() {
-  static std::timed_mutex mutex;
-  return mutex;
-}
-
-void print(const std::string& text) {
-  const std::size_t done = write_all(STDOUT_FILENO, text);
-  if (done == text.size()) return;
-  const int reason = errno;
-  take_back(done);
-  cannot_write("to standard output", reason);
-}
-
-void deliver(const std::vector<Answer>& answers) {
-  const std::lock_guard<std::timed_mutex> whole(writing());
-  const auto to_output = [](const Answer& x) { return x.file.empty() || x.file == "-"; };
-  std::vector<Written> written;
-  try {
-    for (const Answer& answer : answers)
-      if (!to_output(answer))
-        write_aside(written.emplace_back(Written{answer.file, "", ""}), answer.text);
-    for (const Answer& answer : answers)
-      if (to_output(answer)) print(answer.text);
-    for (const Written& x : written)
-      if (!x.aside.empty()) put_in_place(x);
-  } catch (...) {
-    for (const Written& x : written) std::remove(x.aside.c_str());  // nothing, if it has none
-    throw;
+std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format) {
+  require_finite(x, physical);
+  if (format == Format::text) return to_text(x, physical);
+  if (format == Format::json) return to_json(x, physical).dump(2) + '\n';
+  std::string header, cells;
+  for (const Field& field : csv_fields(x, physical)) {
+    const char* comma = header.empty() ? "" : ",";
+    header.append(comma).append(field.name);
+    cells.append(comma).append(field.cell);
   }
+  return header + '\n' + cells + '\n';
+}
+
+std::string present(const std::vector<Claim>& claims, Format format) {
+  Table table{{"claim", "paper", "printed", "converged", "verdict"}};
+  for (const Claim& c : claims)
+    table.push_back({c.claim, c.paper, c.published, c.converged, c.verdict});
+  if (format == Format::text) return aligned(table);
+  if (format == Format::json) return claims_json(table).dump(2) + '\n';
+  std::string text;
+  for (const auto& row : table)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += quoted(row[i]) + (i + 1 < row.size() ? ',' : '\n');
+  return text;
 }
 
 }  // namespace thermoroll

@@ -1,0 +1,54 @@
+// Tangled from paper/A-command-line.md; edit there.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "thermoroll/solution.hpp"
+
+namespace thermoroll {
+
+/// A word of the command line and what it stands for.
+template <class T>
+struct Name {
+  const char* word;
+  T value;
+};
+
+inline constexpr Name<Method> method_names[] = {{"auto", Method::automatic},
+                                                {"closed-form", Method::closed_form},
+                                                {"first-order", Method::first_order},
+                                                {"coupled", Method::coupled},
+                                                {"gauss-chebyshev", Method::gauss_chebyshev}};
+inline constexpr Name<Formulation> formulation_names[] = {{"printed", Formulation::printed},
+                                                          {"corrected", Formulation::corrected}};
+
+enum class Format { text, json, csv };
+inline constexpr Name<Format> format_names[] = {
+    {"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}};
+
+/// The value of a word that is one of the names.
+template <class T, std::size_t n>
+T value_of(const Name<T> (&names)[n], const std::string& word) {
+  const auto is_it = [&](const Name<T>& name) { return name.word == word; };
+  return std::find_if(std::begin(names), std::end(names), is_it)->value;
+}
+
+/// The word for a value, and all words in order.
+template <class T, std::size_t n>
+std::string name_of(const Name<T> (&names)[n], T value) {
+  const auto is_it = [&](const Name<T>& name) { return name.value == value; };
+  return std::find_if(std::begin(names), std::end(names), is_it)->word;
+}
+
+template <class T, std::size_t n>
+std::vector<std::string> words(const Name<T> (&names)[n]) {
+  std::vector<std::string> list;
+  for (const Name<T>& name : names) list.emplace_back(name.word);
+  return list;
+}
+
+}  // namespace thermoroll

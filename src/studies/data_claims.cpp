@@ -1,0 +1,41 @@
+// Tangled from paper/B-data-files.md; edit there.
+#include <utility>
+
+#include "studies/claims.hpp"
+#include "studies/data.hpp"
+
+namespace thermoroll {
+namespace {
+
+const std::pair<std::string, std::string> symbols[] = {
+    {"T*max", "$T^*_{\\max}$"},
+    {"|q| < f p", "$|q|<fp$"},
+    {"1 − κ", "$1-\\kappa$"},
+    {"γ0", "$\\gamma_0$"},
+    {"Pe", "$\\mathrm{Pe}$"},
+    {" n ", " $n$ "},
+    {" H ", " $H$ "},
+    {"Q*", "$Q^*$"},
+    {"T*", "$T^*$"},
+    {"v*", "$v^*$"},
+    {"c0", "$c_0$"},
+};
+
+std::string in_tex(std::string text) {
+  for (const auto& [plain, tex] : symbols)
+    for (std::size_t at = 0; (at = text.find(plain, at)) != text.npos; at += tex.size())
+      text.replace(at, plain.size(), tex);
+  return text;
+}
+
+void claims_table(std::ostream& out) {
+  row(out, "the paper says", "paper", "published scheme", "converged", "verdict");
+  const auto cell = [](const std::string& text) { return '"' + in_tex(text) + '"'; };
+  for (const Claim& c : claims())
+    row(out, cell(c.claim), cell(c.paper), cell(c.published), cell(c.converged), cell(c.verdict));
+}
+
+const FigureData claims_data{"claims", claims_table};
+
+}  // namespace
+}  // namespace thermoroll

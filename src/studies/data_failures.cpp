@@ -1,0 +1,311 @@
+// Tangled from paper/13-where-methods-fail.md; edit there.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "studies/asymptotics.hpp"
+#include "studies/claims.hpp"
+#include "studies/comparison.hpp"
+#include "studies/data.hpp"
+#include "studies/figure_data.hpp"
+#include "studies/iterations.hpp"
+#include "studies/naive_kernels.hpp"
+#include "studies/paper_case.hpp"
+#include "studies/resolution.hpp"
+#include "support/number_text.hpp"
+#include "thermoroll/admissibility.hpp"
+#include "thermoroll/kernels.hpp"
+
+namespace thermoroll {
+namespace {
+
+/// The most digits that a formula loses in a quarter of a decade about zeta.
+double most_lost(double (*formula)(double), double (*exact)(double), double zeta) {
+  double lost = 0;
+  for (const double place : grid(-0.125, 0.125, 12)) {
+    const double at = zeta * std::pow(10, place);
+    lost = std::max(lost, digits_lost(formula(at), exact(at)));
+  }
+  return lost;
+}
+
+void arithmetic(std::ostream& out) {
+  row(out, "zeta", "N1", "N1_scaled", "N2", "N2_scaled", "M", "M_scaled");
+  const auto M = [](double zeta) { return kernel::M(zeta); };
+  for (const double decade : grid(-12, 12, 96)) {
+    const double x = std::pow(10, decade);
+    row(out, x, most_lost(naive::N1, kernel::N1, x), most_lost(naive_scaled::N1, kernel::N1, x),
+        most_lost(naive::N2, kernel::N2, -x), most_lost(naive_scaled::N2, kernel::N2, -x),
+        most_lost(naive::M, M, -x), most_lost(naive_scaled::M, M, -x));
+  }
+}
+
+const FigureData arithmetic_data{"arithmetic", arithmetic};
+
+void seen(std::ostream& out) {
+  row(out, "peclet", "nodes", "seen", "law");
+  const Carter c = paper::closed_form(0.5);
+  for (const double speed : grid(1, 5, 32))
+    for (const double size : grid(1, 3.3, 23)) {
+      const double peclet = std::pow(10, speed), exact = exact_load_change(c, peclet);
+      const int nodes = static_cast<int>(std::lround(std::pow(10, size)));
+      row(out, peclet, nodes, scheme_load_change(c, peclet, nodes) / exact,
+          1 - missed_load_change(c, peclet, nodes) / exact);
+    }
+}
+
+const FigureData seen_data{"seen", seen};
+
+void values_on_resolution(nlohmann::ordered_json& v) {
+  const Carter half = paper::closed_form(0.5);
+  const double all = first_order_load_change(0.5) / (paper::friction * paper::heating);
+  const double spacing = pi / 100;
+  const double mean_sine = 16 * missed_load_change(half, 1, 99) / (spacing * spacing * all);
+  v["fails_c0"] = fixed(half.c0, 4);
+  v["fails_mean_sine"] = fixed(mean_sine, 2);
+  for (const auto& [name, missed] : {std::pair{"1", 0.01}, {"01", 0.001}}) {
+    const double per_speed = pi * std::sqrt(mean_sine / (16 * missed));
+    const double nodes = per_speed * paper::peclet;
+    v[std::string("fails_nodes_") + name] = fixed(per_speed, 1);
+    v[std::string("fails_steel_") + name] = fixed(1000 * std::round(nodes / 1000), 0);
+    v[std::string("fails_memory_") + name] = fixed(8e-9 * nodes * nodes, 0);
+  }
+}
+
+PublishedSolution cycling(int nodes) {
+  return solve_published({paper::friction, 100, 0.5}, 0.5, Formulation::corrected, {nodes});
+}
+
+void cycle(std::ostream& out) {
+  row(out, "nodes", "step", "c0", "traction");
+  for (const int nodes : {89, 90, 91}) {
+    const PublishedSolution solution = cycling(nodes);
+    for (std::size_t i = 0; i < std::min<std::size_t>(solution.steps.size(), 140); ++i)
+      row(out, nodes, i + 1, solution.steps[i].c0, solution.steps[i].traction);
+  }
+}
+
+const FigureData cycle_data{"cycle", cycle};
+
+void values_on_cycle(nlohmann::ordered_json& v) {
+  const PublishedSolution undecided = cycling(90);
+  Eigen::Index nearest = 0;
+  (undecided.grid.t.array() - undecided.c0).abs().minCoeff(&nearest);
+  const double node = undecided.grid.t(nearest);
+  double hot = 1, cold = 0;  // of the last three steps, the tractions nearest to the gap
+  for (auto step = undecided.steps.rbegin(); step != undecided.steps.rbegin() + 3; ++step)
+    if (step->c0 < node)
+      hot = std::min(hot, step->traction);
+    else
+      cold = std::max(cold, step->traction);
+  int struck = 0;
+  for (int nodes = 20; nodes < 120; ++nodes) struck += cycling(nodes).converged ? 0 : 1;
+  v["cycle_node"] = fixed(node, 4);
+  v["cycle_hot"] = fixed(hot, 4);
+  v["cycle_cold"] = fixed(cold, 4);
+  v["cycle_struck"] = std::to_string(struck);
+}
+
+/// Settled on a contact; its last iterate a contact, or none; settled on what is none.
+enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
+
+constexpr PublishedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
+
+SchemeEnd end_of_scheme(const Scene& scene, double traction, Formulation formulation) {
+  const PublishedSolution solution = solve_published(scene, traction, formulation, few_nodes);
+  if (violations(factors(solution, scene.friction)).empty())
+    return solution.converged ? SchemeEnd::settled : SchemeEnd::unsettled;
+  return solution.converged ? SchemeEnd::wrong : SchemeEnd::lost;
+}
+
+void values_on_contacts(nlohmann::ordered_json& v) {
+  constexpr int count = 300;
+  int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
+  for (Sample x : random_scenes(count)) {
+    x.scene.heating *= 10;
+    const Prescribed given{traction, x.traction};
+    const Outcome found =
+        outcome([&] { return solve_coupled(x.scene, x.formulation, 1e-3, given); });
+    refused += found == Outcome::refused ? 1 : 0;
+    wrong += found == Outcome::no_contact ? 1 : 0;
+    const SchemeEnd end = end_of_scheme(x.scene, x.traction, x.formulation);
+    unsettled += end == SchemeEnd::unsettled || end == SchemeEnd::lost ? 1 : 0;
+    scheme_wrong += end == SchemeEnd::lost || end == SchemeEnd::wrong ? 1 : 0;
+  }
+  v["contact_scenes"] = std::to_string(count);
+  v["contact_refused"] = std::to_string(refused);
+  v["contact_wrong"] = std::to_string(wrong);
+  v["contact_nodes"] = std::to_string(few_nodes.nodes);
+  v["contact_unsettled"] = std::to_string(unsettled);
+  v["contact_scheme_wrong"] = std::to_string(scheme_wrong);
+}
+
+/// How many scenes of the corners are solved as contacts, solved as none, refused.
+std::array<int, 3> survivors(Formulation formulation, double heating) {
+  std::array<int, 3> count{};
+  for (int decade = -3; decade <= 8; ++decade)
+    for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
+      const double f = paper::friction;
+      const Scene scene{f, std::pow(10, decade), heating};
+      const Prescribed given{traction, f * share};
+      const Outcome found = outcome([&] { return solve_coupled(scene, formulation, 1e-3, given); });
+      ++count[static_cast<std::size_t>(found)];
+    }
+  return count;
+}
+
+void survival(std::ostream& out) {
+  row(out, "$H$", "corrected: solved", "corrected: no contact", "corrected: refused",
+      "printed: solved", "printed: no contact", "printed: refused");
+  for (const double heating : {0.01, 1.0, 10.0, 100.0, 1000.0}) {
+    const auto [a, b, c] = survivors(Formulation::corrected, heating);
+    const auto [d, e, g] = survivors(Formulation::printed, heating);
+    row(out, shortest(heating), a, b, c, d, e, g);
+  }
+}
+
+const FigureData survival_data{"survival", survival};
+
+void ends(std::ostream& out) {
+  row(out, "peclet", "fast", "slow");
+  const HeatFlux flux = carter_flux(paper::closed_form(0.5));
+  const double fast = hottest_when_fast(flux);
+  for (const double speed : grid(-3, 8, 33)) {
+    const double peclet = std::pow(10, speed);
+    const Scene scene{paper::friction, peclet, 0};
+    const double top =
+        solve_coupled(scene, Formulation::corrected, 1e-9, {traction, 0.5}).value(hottest);
+    row(out, peclet, std::abs(fast / std::sqrt(peclet) / top - 1),
+        std::abs(hottest_when_slow(flux, peclet) / top - 1));
+  }
+}
+
+const FigureData ends_data{"ends", ends};
+
+/// 1 Picard, 2 relaxed by half, 3 Anderson, 4 Newton, 5 Newton with continuation to the solution h.
+int first_to_converge(const FluxMap& map, const Eigen::VectorXd& h) {
+  const auto finds = [&](auto iterate) {
+    Eigen::VectorXd found = carter_start(map);
+    return iterate(found) > 0 && (found - h).norm() < 1e-4 * h.norm();
+  };
+  if (finds([&](Eigen::VectorXd& x) { return picard(map, x); })) return 1;
+  if (finds([&](Eigen::VectorXd& x) { return picard(map, x, 0.5); })) return 2;
+  if (finds([&](Eigen::VectorXd& x) { return anderson(map, x); })) return 3;
+  return finds([&](Eigen::VectorXd& x) { return newton(map, x); }) ? 4 : 5;
+}
+
+void iteration_steps(std::ostream& out) {
+  row(out, "$\\mathrm{Pe}$", "$fH$", "$\\rho_1$", "Picard", "half steps", "Anderson", "Newton",
+      "led");
+  const auto cell = [](int steps) { return steps > 0 ? std::to_string(steps) : "–"; };
+  for (const double peclet : {1.0, 100.0, paper::peclet})
+    for (const double f_h : {0.01, 0.3, 1.0, 3.0, 10.0}) {
+      const double heating = f_h / paper::friction, c0 = paper::closed_form(0.5).c0;
+      const Scene scene{paper::friction, peclet, 1};
+      const FluxMap unit = flux_map(scene, Formulation::corrected, 128, c0);
+      const FluxMap map = heated(unit, heating);
+      Eigen::VectorXd h = carter_start(map), x = h;
+      const int led = follow(unit, 1e-3 / peclet, heating, h);
+      const auto steps = [&](auto iterate) {
+        x = carter_start(map);
+        return cell(iterate());
+      };
+      row(out, peclet, f_h, fixed(contraction(map, h), 2), steps([&] { return picard(map, x); }),
+          steps([&] { return picard(map, x, 0.5); }), steps([&] { return anderson(map, x); }),
+          steps([&] { return newton(map, x); }), cell(led));
+    }
+}
+
+const FigureData steps_data{"iteration-steps", iteration_steps};
+
+/// The solution at one speed, continued from heating to heating for as long as it is a contact's.
+struct Continuation {
+  FluxMap unit;
+  double heating;
+  Eigen::VectorXd h = carter_start(unit);
+  bool holds = true;
+
+  bool reaches(double next) {
+    holds = holds && follow(unit, heating, next, h) > 0;
+    holds = holds && pressure_factor(heated(unit, next), h).minCoeff() > 0;
+    heating = next;
+    return holds;
+  }
+};
+
+Continuation continuation_at(double peclet, Formulation formulation, int unknowns) {
+  const double c0 = paper::closed_form(0.5).c0;
+  return {flux_map({paper::friction, peclet, 1}, formulation, unknowns, c0), 1e-3 / peclet};
+}
+
+void iteration(std::ostream& out, Formulation formulation) {
+  row(out, "peclet", "strength", "method", "picard", "half", "scheme");
+  for (const double speed : grid(-1, 5, 30)) {
+    const double peclet = std::pow(10, speed), most = 30 * std::max(1.0, 4 / peclet);
+    Continuation path = continuation_at(peclet, formulation, 64);
+    for (const double size : grid(0, 6, 30)) {
+      const double strength = std::pow(10, size), heating = strength / (paper::friction * peclet);
+      int method = 0, scheme = 0;  // not tried
+      double full = 0, half = 0;
+      if (paper::friction * heating <= most) {
+        method = 6;  // not reached
+        const Scene scene{paper::friction, peclet, heating};
+        scheme = static_cast<int>(end_of_scheme(scene, 0.5, formulation));
+        if (path.reaches(heating)) {
+          const FluxMap map = heated(path.unit, heating);
+          method = first_to_converge(map, path.h);
+          full = contraction(map, path.h);
+          half = contraction(map, path.h, 0.5);
+        }
+      }
+      row(out, peclet, strength, method, fixed(full, 4), fixed(half, 4), scheme);
+    }
+  }
+}
+
+FigureData iteration_data(const std::string& panel, Formulation formulation) {
+  return {"iteration-" + panel, [=](std::ostream& out) { iteration(out, formulation); }};
+}
+
+const FigureData iteration_panels[] = {iteration_data("a", Formulation::printed),
+                                       iteration_data("b", Formulation::corrected)};
+
+/// The cells of @fig:iteration-a that so many unknowns do not reach; all of them are at Pe > 1000.
+int missed(int unknowns) {
+  int count = 0;
+  for (const double speed : grid(3, 5, 10)) {
+    Continuation path = continuation_at(std::pow(10, speed), Formulation::printed, unknowns);
+    for (const double size : grid(0, 6, 30)) {
+      const double f_h = std::pow(10, size - speed);
+      if (f_h <= 30 && !path.reaches(f_h / paper::friction)) ++count;
+    }
+  }
+  return count;
+}
+
+void values_on_ways(nlohmann::ordered_json& v) {
+  for (const int unknowns : {64, 128, 256})
+    v["missed_" + std::to_string(unknowns)] = std::to_string(missed(unknowns));
+}
+
+}  // namespace
+
+Outcome outcome(const std::function<CoupledSolution()>& solve) try {
+  return solve().violations.empty() ? Outcome::contact : Outcome::no_contact;
+} catch (const std::runtime_error&) {
+  return Outcome::refused;
+}
+
+void values_on_failures(nlohmann::ordered_json& v) {
+  values_on_resolution(v);
+  values_on_cycle(v);
+  values_on_ways(v);
+  values_on_contacts(v);
+}
+
+}  // namespace thermoroll
