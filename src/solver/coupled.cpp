@@ -118,6 +118,52 @@ void check_slips_in_part(const Scene& scene, Formulation formulation, int n, dou
             "below " + shortest(most) + ", where the whole contact slips");
 }
 
+/// The solution on the first grid that has a contact, or else on the finest that has a border; the
+/// derivative of all quantities with respect to what is prescribed goes to slope. Throws
+/// std::runtime_error where there is no border, and std::invalid_argument for too large a creep.
+GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
+                             const Prescribed& given, Values& slope) {
+  const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
+  Prescribed near = given;  // a creep beyond Carter's starts close to full slip
+  if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
+  const Carter cold = carter_given(scene.friction, near);
+  slope = carter_slope(cold, given.quantity);
+  GridSolution level, tried;
+  level.at = {2 * cold.slip_half_width, 2 * cold.b};
+  for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
+       n *= 2) {
+    Values better = slope;
+    tried = find_border(scene, formulation, n, given, level, better);
+    if (tried.newton_steps > 0) {
+      level = tried;
+      slope = better;
+    } else if (given.quantity == creep) {
+      check_slips_in_part(scene, formulation, n, given.value);
+    }
+  }
+  if (level.newton_steps == 0)
+    throw std::runtime_error("coupled: no solution found near the border " +
+                             shortest(tried.at.c0()));
+  return level;
+}
+
+Values carried_over(const GridSolution& level, const Prescribed& given, const Values& slope) {
+  Values met = level.value + slope * residual(level, given);
+  met(given.quantity) = given.value;
+  return met;
+}
+
+CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
+                            const Values& value, double error, const std::vector<GridStep>& trace) {
+  const auto n = static_cast<int>(level.h.size());
+  CoupledSolution x{
+      scene, formulation,      value, error * scale_of(level.value), n, level.newton_steps, level.h,
+      0,     level.violations, trace};
+  x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
+  x.error(hottest_at) = level.at.slip * std::sqrt(error);
+  return x;
+}
+
 bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& x, const auto& y) { return x.what == y.what; });
@@ -158,6 +204,11 @@ double estimate(const Values& change, double now, double before, int n, bool slo
   const double shrunk = std::clamp(now / before, part / 4, part);
   return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(hottest)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
+}
+
+GridStep step_of(const GridSolution& level) {
+  return {
+      static_cast<int>(level.h.size()), level.at.c0(), level.newton_steps, tail(level.h), {}, {}};
 }
 
 /// The grid of n unknowns at the border of a solution.
@@ -215,30 +266,10 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
-  const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
-  Prescribed near = given;  // a creep beyond Carter's starts close to full slip
-  if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
-  const Carter cold = carter_given(scene.friction, near);
-  Values slope = carter_slope(cold, given.quantity);
-  GridSolution level, tried;
-  level.at = {2 * cold.slip_half_width, 2 * cold.b};
-  for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
-       n *= 2) {
-    Values better = slope;
-    tried = find_border(scene, formulation, n, given, level, better);
-    if (tried.newton_steps > 0) level = tried, slope = better;
-    if (tried.newton_steps == 0 && given.quantity == creep)
-      check_slips_in_part(scene, formulation, n, given.value);
-  }
-  if (level.newton_steps == 0)
-    throw std::runtime_error("coupled: no solution found near the border " +
-                             shortest(tried.at.c0()));
-  const auto corrected = [&] {
-    Values met = level.value + slope * residual(level, given);
-    met(given.quantity) = given.value;
-    return met;
-  };
-  Values value = corrected(), change = Values::Zero();
+  Values slope, change = Values::Zero();
+  GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
+  Values value = carried_over(level, given, slope);
+  std::vector<GridStep> trace{step_of(level)};
   double best = 1;
   int stalled = 0;  // grids in a row that have gained little
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
@@ -246,19 +277,19 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     const GridSolution last = level;
     const double step = slope(border) * residual(last, given);
     level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
+    trace.push_back(step_of(level));
     if (level.newton_steps > 0) {
       const Values before = value, scale = scale_of(level.value);
-      value = corrected();
+      value = carried_over(level, given, slope);
       const Values moved = (value - before).abs().max((value - level.value).abs());
       const bool slow = converges_slowly(scene, level.at);
       change = (moved / scale).max((slow ? 0.004 : 0.02) * change);
       const double error =
           estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
-      CoupledSolution x{scene,   formulation, value,           error * scale, n, level.newton_steps,
-                        level.h, 0,           level.violations};
-      x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
-      x.error(hottest_at) = level.at.slip * std::sqrt(error);  // the maximum is flat
-      if (error <= tolerance && same_kinds(level.violations, last.violations)) return x;
+      trace.back().change = change.head(hottest + 1).maxCoeff();
+      trace.back().estimate = error;
+      if (error <= tolerance && same_kinds(level.violations, last.violations))
+        return solution_of(scene, formulation, level, value, error, trace);
       stalled = n > 64 && error > 0.5 * best && error > 100 * tolerance ? stalled + 1 : 0;
       if (stalled == 2) break;  // it gets nowhere
       best = error;
@@ -267,8 +298,9 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
     }
     if (n == most_unknowns) break;
   }
-  throw std::runtime_error("coupled: not resolved to " + shortest(tolerance) + " with " +
-                           std::to_string(n) + " unknowns");
+  throw NotResolved("coupled: not resolved to " + shortest(tolerance) + " with " +
+                        std::to_string(n) + " unknowns",
+                    trace);
 }
 
 double rounding(const Prescribed& given, const Values& slope, const Values& scale) {

@@ -124,7 +124,7 @@ CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd
                      const Values& value, const Carter& c, const HottestPoint& top, double error,
                      const Prescribed& given) {
   const ZoneLengths at = zones_of(c);
-  CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, 0, {}};
+  CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, 0, {}, {}};
   x.value(hottest) = top.value;
   x.value(hottest_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
   x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));

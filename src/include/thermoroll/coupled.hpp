@@ -1,6 +1,10 @@
 // Tangled from paper/10-coupled-problem.md, paper/10b-border-and-error.md, paper/10c-temperatures-and-profiles.md; edit there.
 #pragma once
 
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -35,6 +39,23 @@ struct Prescribed {
   double value;
 };
 
+/// What a grid of n unknowns has found; change and estimate are relative, and not there for the
+/// grid on which the border was found, nor where Newton's method failed.
+struct GridStep {
+  int unknowns;
+  double border;     ///< c0
+  int newton_steps;  ///< 0 where Newton's method failed
+  double tail;       ///< the last quarter of the coefficients of h, relative to the largest
+  std::optional<double> change, estimate;
+};
+
+/// The tolerance is not met on the finest grid, or the estimate stays where it is.
+struct NotResolved : std::runtime_error {
+  NotResolved(const std::string& message, std::vector<GridStep> steps)
+      : std::runtime_error(message), trace(std::move(steps)) {}
+  std::vector<GridStep> trace;
+};
+
 /// A solution of the coupled problem; dimensionless.
 struct CoupledSolution {
   Scene scene;              ///< whose heating acts on the tractions
@@ -46,6 +67,7 @@ struct CoupledSolution {
   Eigen::VectorXd h;        ///< n Legendre coefficients in y of h, @eq:h
   double eccentricity = 0;  ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
   std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
+  std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for lesser models
 };
 
 /// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
