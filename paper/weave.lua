@@ -4,10 +4,11 @@
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
--- (all on one line; `-M revision=` may be left out). With `-M draft=paper/10-x.md` the page has this chapter
--- only, numbered as in the report, and links into the others lead nowhere. It reads, besides the chapters, build/data/*.csv,
--- build/data/values.json, build/figures/*.svg, figures/*.gp, figures/measured/*.csv and
--- paper/style.css, and puts all of it into the page, which then needs no other file. What the chapters may write:
+-- (all on one line; `-M revision=` may be left out). With `-M draft=paper/10-x.md` the page has this
+-- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
+-- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
+-- figures/measured/*.csv and paper/style.css, and puts all of it into the page, which then needs no
+-- other file. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
@@ -61,6 +62,7 @@ local function stop_on_mistakes()
   if #mistakes == 0 then return end
   io.stderr:write(table.concat(mistakes, "\n"), "\n")
   if not draft then os.exit(1) end
+  mistakes = pandoc.List()
 end
 
 local function raw(html) return pandoc.RawBlock("html", html) end
@@ -556,7 +558,7 @@ local function piece_code(piece)
   end
   for k, line in ipairs(piece.code) do
     local space, name = tangle.reference(line)
-    if name then
+    if chunks[name or ""] then
       flush()
       local chunk = chunks[name]
       table.insert(out, string.format(
