@@ -43,6 +43,17 @@ AutoIsTheDefault() {
   near "$(value load_ratio)" 1.00146355893 1e-7 # with a tolerance of 1e-9
 }
 
+# The answer names the method that was asked for, and the model that it stands for.
+MethodIsTheOneAskedFor() {
+  local method
+  for method in auto closed-form first-order coupled gauss-chebyshev; do
+    answers solve "${paper_case[@]}" --method $method --format json
+    [ "$(value method)" = $method ] || fail "$method: $(cat out)"
+    case $method in auto | gauss-chebyshev) continue ;; esac
+    [ "$(value model)" = $method ] || fail "$method: $(cat out)"
+  done
+}
+
 # Each error is within the tolerance (absolute, or relative for creep, heat and temperature), none
 # but that of the given traction is zero, and a finer solution differs by at most ten errors.
 CoupledErrorsKeepTheTolerance() {

@@ -434,6 +434,19 @@ TEST(LeastModel, TakesTheRungsInTurn) {
   }
 }
 
+// In a slow contact heat spreads before it strains: the change goes with the Péclet number of the
+// slip zone, so that the closed form does at a low speed, however large H is.
+TEST(LeastModel, SlowContactsNeedNoHeat) {
+  const Prescribed given{thermoroll::traction, 0.3};
+  for (const double peclet : {1e-4, 1e-6, 1e-8})
+    for (const double heating : {0.1, 1.0}) {
+      const thermoroll::Scene scene{0.6, peclet, heating};
+      EXPECT_EQ(thermoroll::least_model(scene, Formulation::corrected, 1e-2, given).model,
+                Model::closed_form)
+          << peclet << ", " << heating;
+    }
+}
+
 // A creep or a border in place of the traction is met exactly, and leads back to the traction.
 TEST(LeastModel, TakesCreepOrBorder) {
   for (const double heating : {1e-4, 0.0175, 0.3})
@@ -455,6 +468,10 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
     thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
   };
   EXPECT_THROW(solve(1e-12, {thermoroll::traction, 0.5}), std::invalid_argument);
+  EXPECT_THROW(  // on the lowest rung as well
+      thermoroll::least_model({0.6, 100, 0}, Formulation::corrected, 9e-12,
+                              {thermoroll::traction, 0.5}),
+      std::invalid_argument);
   EXPECT_THROW(solve(1e-3, {thermoroll::traction, 0.6}), std::invalid_argument);
   EXPECT_THROW(solve(1e-3, {thermoroll::creep, -0.1}), std::invalid_argument);
   EXPECT_THROW(solve(1e-3, {thermoroll::heat, 0.1}), std::invalid_argument);

@@ -525,6 +525,23 @@ TEST(PublishedScheme, SaysWhenItDoesNotConverge) {
   EXPECT_FALSE(solve_published(scene, Formulation::printed, options).converged);
 }
 
+// The first step starts from no slip at all and finds some, where a node slips: its change is all
+// of the slip, which is no small part of it, however small the slip is. So the first step is never
+// the last.
+TEST(PublishedScheme, FirstStepIsNeverTheLast) {
+  for (const double traction : {0.01, 0.1, 0.5})
+    for (const double tolerance : {0.1, 1e-3}) {
+      PublishedOptions options;
+      options.nodes = 20;
+      options.tolerance = tolerance;
+      const PublishedSolution x =
+          solve_published({friction, traction, 100, 0.0175}, Formulation::printed, options);
+      EXPECT_TRUE(x.converged);
+      EXPECT_GT(x.slip.maxCoeff(), 0);
+      EXPECT_GE(x.outer_iterations, 2) << "Q* = " << traction << ", tolerance " << tolerance;
+    }
+}
+
 // Whenever it says that it converged, the traction is the one asked for, to the tolerance: with one
 // step of the border at a time the slip may well settle first, and so it may where strong heat lets
 // no border be found. That never leaves the contact without a border either: a step that leaves the
@@ -545,8 +562,10 @@ TEST(PublishedScheme, ConvergesToTheTractionOrNotAtAll) {
             SCOPED_TRACE(::testing::Message() << "Q* = " << traction << ", H = " << heating
                                               << ", tolerance " << tolerance << ", " << steps);
             EXPECT_TRUE(-1 < x.c0 && x.c0 <= 1) << x.c0;
-            for (const thermoroll::InnerStep& step : x.steps)
+            for (const thermoroll::InnerStep& step : x.steps) {
+              EXPECT_TRUE(-1 < step.c0 && step.c0 <= 1) << step.c0;
               without_traction += step.traction >= friction ? 1 : 0;
+            }
             if (!x.converged) continue;
             ++settled;
             const double shear = (1 + x.c0) / 2 * x.grid.w.dot(x.phi0);

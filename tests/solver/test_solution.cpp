@@ -552,6 +552,17 @@ TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
   }
 }
 
+// Where one correction would change all, its error has no bound, and there is no solution to
+// report.
+TEST(Solution, NoSolutionWithoutABoundOnItsError) {
+  for (const double heating : {10.0, 1000.0}) try {
+      solve({0.6, 0.5, 100, heating}, {Method::first_order});
+      ADD_FAILURE() << "accepted: " << heating;
+    } catch (const std::runtime_error& refusal) {
+      EXPECT_STREQ(refusal.what(), "first-order: heat is too strong for one linear correction");
+    }
+}
+
 TEST(Solution, RefusesWhatIsOutOfRange) {
   const Driven scene{0.6, 0.5, 100, 0};
   for (const int nodes : {-1, 0, 2, 5001}) {

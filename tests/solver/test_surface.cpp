@@ -173,6 +173,7 @@ TEST(Surface, RefusesWhatMakesNoSense) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Eigen::ArrayXd zero = Eigen::ArrayXd::Zero(1), far = zero + infinity, nan = far - far;
   EXPECT_THROW(surface_curve(flux, 0, zero, 1e-8), std::invalid_argument);
+  EXPECT_THROW(surface_curve(flux, 1, zero, 9e-13), std::invalid_argument);
   EXPECT_THROW(surface_curve(flux, 1, far, 1e-8), std::invalid_argument);
   EXPECT_THROW(surface_curve(flux, 1, nan, 1e-8), std::invalid_argument);
   EXPECT_EQ(surface_curve(flux, 1, Eigen::ArrayXd(0), 1e-8).temperature.size(), 0);

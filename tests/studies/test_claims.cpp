@@ -12,6 +12,7 @@
 #include "reference.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
+#include "studies/paper_case.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/published_scheme.hpp"
 #include "thermoroll/temperature.hpp"
@@ -73,6 +74,18 @@ TEST(Claims, FirstOrderEffectIsTheLimitOfTheScheme) {
   EXPECT_TRUE(close(thermoroll::first_order_load_change(0.5) / (scale * moment(true)), 1, 1e-9));
   EXPECT_TRUE(close(thermoroll::first_order_gamma0(0.5) * reference::pi / (-scale * moment(false)),
                     1, 1e-9));
+}
+
+// What the claims are set against is good to eight digits, each quantity to what its tolerance is
+// relative to.
+TEST(Claims, ConvergedMeansEightDigits) {
+  for (const double traction : thermoroll::paper::tractions)
+    for (const double peclet : thermoroll::paper::peclets) {
+      const thermoroll::CoupledSolution x = thermoroll::paper::coupled(traction, peclet);
+      const thermoroll::Values relative = x.error / thermoroll::scale_of(x.value);
+      EXPECT_LE(relative.head(thermoroll::hottest + 1).maxCoeff(), 1e-8)
+          << traction << ", " << peclet;
+    }
 }
 
 // Rolling concentrates the same heat behind the border. Its maxima at Pe = 1000 are those of the

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "driven.hpp"
+#include "solver/least_model.hpp"
 #include "studies/comparison.hpp"
 #include "studies/timings.hpp"
 #include "thermoroll/coupled.hpp"
@@ -123,6 +124,36 @@ TEST(Timings, BarsAreRatiosOfTheirTimes) {
     EXPECT_NE(rows[i].find(endings[i]), std::string::npos) << rows[i];
 }
 
+// A time is written in microseconds below a millisecond, and to two digits at least from 1 µs on.
+TEST(Timings, TimesAreInTheirUnit) {
+  const std::pair<double, const char*> expected[] = {
+      {2e-3, "2.0 µs"}, {9.94e-3, "9.9 µs"}, {0.02, "20 µs"}, {0.9, "900 µs"},
+      {1.0, "1.0 ms"},  {9.94, "9.9 ms"},    {12, "12 ms"},   {2000, "2000 ms"}};
+  for (const auto& [milliseconds, text] : expected) {
+    std::istringstream table(written("bars", every_run(milliseconds, 150)));
+    std::string line;
+    std::getline(table, line);
+    std::getline(table, line);
+    EXPECT_NE(line.find(std::string(",150 ms,") + text + ','), std::string::npos) << line;
+  }
+}
+
+// What the least model saves is how much longer the coupled one takes for the same random scenes;
+// what the thrifty scheme saves is the share of its time that the other repeats.
+TEST(Timings, SavedTimeIsTheRatioOfBothWays) {
+  Times times = every_run(1, 150);
+  for (const auto& [tolerance, automatic] :
+       {std::pair{"0.01", 0.5}, {"0.001", 0.8}, {"1e-06", 2.5}}) {
+    times[std::string("coupled/tol:") + tolerance + "/random:200"] = 4;
+    times[std::string("auto/tol:") + tolerance + "/random:200"] = automatic;
+  }
+  times.at("gauss_chebyshev_thrifty/n:200/Pe:4360/H:0.0175") /= 4;  // three quarters are repetition
+  const std::string text = written("speed", times);
+  for (const char* saved : {R"("least_saved_2": "8.0")", R"("least_saved_3": "5.0")",
+                            R"("least_saved_6": "1.6")", R"("speed_repeated": "75")"})
+    EXPECT_NE(text.find(saved), std::string::npos) << text;
+}
+
 // The rest is what makes the parts up to the whole.
 TEST(Timings, SharesAddUpToTheWhole) {
   std::istringstream table(written("shares", every_run(150, 1)));
@@ -170,6 +201,12 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   EXPECT_NEAR(thrifty.hottest, described.hottest, 1e-12);
   const Found means = find(steel, "gauss_chebyshev_moments/n:25/Pe:4360/H:0.0175");
   EXPECT_GT(means.load_ratio - 1, 10 * (described.load_ratio - 1));
+
+  const auto corrected = thermoroll::first_order(scene, sign, 1e-6, scene);
+  const Found once = find(steel, "first_order/Pe:4360/H:0.0175");
+  EXPECT_EQ(once.load_ratio, corrected.value(thermoroll::load_ratio));
+  EXPECT_EQ(once.hottest, corrected.value(thermoroll::hottest));
+  EXPECT_EQ(once.creep, corrected.value(thermoroll::creep));
 
   EXPECT_EQ(find(steel, "closed_form").load_ratio, 1);
   EXPECT_TRUE(std::isnan(find(steel, "closed_form").hottest));

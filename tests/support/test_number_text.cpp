@@ -1,0 +1,48 @@
+// Numbers as text, read back.
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/number_text.hpp"
+
+using thermoroll::fixed;
+using thermoroll::scientific;
+using thermoroll::shortest;
+
+// The shortest text is read back unchanged; fixed decimals are off by half of the last at most.
+TEST(NumberText, IsReadBack) {
+  for (const double x : {0.1, 1e-300, 2.5, 1 / 3.0, 4360.714285714286, 1e22, 0.0}) {
+    EXPECT_EQ(std::stod(shortest(x)), x);
+    EXPECT_EQ(shortest(-x), "-" + shortest(x));
+  }
+  for (int decimals = 0; decimals < 9; ++decimals) {
+    const std::string text = fixed(2 / 3.0, decimals);
+    EXPECT_NEAR(std::stod(text), 2 / 3.0, 0.5 * std::pow(10, -decimals));
+    EXPECT_EQ(text.size(), decimals == 0 ? 1U : 2U + static_cast<unsigned>(decimals));
+  }
+}
+
+// In TeX a number has one digit before its point and the exponent that goes with that: mantissa and
+// power make up the number, to half of the last digit.
+TEST(NumberText, ScientificHasOneDigitBeforeThePoint) {
+  for (const double x : {1.0, 1.2e-3, 9.4, 2.3e17, 4.56e-290, 7.0, 0.03})
+    for (const double sign : {-1.0, 1.0})
+      for (const int digits : {1, 2, 4}) {
+        const std::string text = scientific(sign * x, digits);
+        double mantissa = 0;
+        int exponent = 0, end = 0;
+        ASSERT_EQ(std::sscanf(text.c_str(), "$%lf\\cdot10^{%d}$%n", &mantissa, &exponent, &end), 2)
+            << text;
+        EXPECT_EQ(static_cast<std::size_t>(end), text.size()) << text;
+        const std::string written = fixed(mantissa, digits - 1);
+        EXPECT_EQ(text.substr(1, written.size()), written) << "so many digits: " << text;
+        EXPECT_GE(sign * mantissa, 1) << text;
+        EXPECT_LT(sign * mantissa, 10) << text;
+        EXPECT_NEAR(mantissa * std::pow(10, exponent) / (sign * x), 1,
+                    0.5 * std::pow(10, 1 - digits))
+            << text;
+      }
+  EXPECT_EQ(scientific(0, 3), "0");
+}
