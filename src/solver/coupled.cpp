@@ -22,6 +22,43 @@ using Eigen::VectorXd;
 
 namespace {
 
+/// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
+double unresolved(double tail, int n, bool slow) {
+  const double part = (n < 30 ? 20.0 : 10.0) / n / n;
+  const bool early = n <= 100 && (slow || n >= 30);
+  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
+  const double layer = tail > large ? std::min(1e3 * tail, 1.0) : 0;
+  return tail * std::max(part, layer);
+}
+
+/// Strong heating, or a zone of less than a twentieth of the contact.
+bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
+  return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
+}
+
+/// How much of a change since the last grid is believed to be the error of this one of n unknowns.
+double part_of_change(int n, bool slow) {
+  if (n > 200) return 0.05;
+  if (slow) return n < 30 ? 3 : 1;
+  return 0.2;
+}
+
+/// Size of the last quarter of the coefficients, relative to the largest.
+double tail(const VectorXd& h) {
+  return h.tail(h.size() / 4).lpNorm<Infinity>() / h.lpNorm<Infinity>();
+}
+
+/// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
+/// the tail now and before, and the change since the last grid; slow where convergence is.
+double estimate(const Values& change, double now, double before, int n, bool slow) {
+  double integrals = 0;
+  for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
+  const double size = n, part = part_of_change(n, slow);
+  const double shrunk = std::clamp(now / before, part / 4, part);
+  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(hottest)}) +
+         4 * std::pow(24 + size, -6) + 1e-14 * size;
+}
+
 struct GridSolution {
   ZoneLengths at;
   Values value;
@@ -153,57 +190,39 @@ Values carried_over(const GridSolution& level, const Prescribed& given, const Va
   return met;
 }
 
-CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
-                            const Values& value, double error, const std::vector<GridStep>& trace) {
+/// The values of a solution so far, carried over to what is prescribed, the change since the grid
+/// before and the estimated error, both relative.
+struct Refinement {
+  Values value, change = Values::Zero();
+  double error = 1;
+};
+
+Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
+                   const GridSolution& last, const Prescribed& given, const Values& slope) {
+  const Values scale = scale_of(level.value), value = carried_over(level, given, slope);
+  const Values moved = (value - before.value).abs().max((value - level.value).abs());
+  const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
-  CoupledSolution x{
-      scene, formulation,      value, error * scale_of(level.value), n, level.newton_steps, level.h,
-      0,     level.violations, trace};
+  const Values change = (moved / scale).max((slow ? 0.004 : 0.02) * before.change);
+  const double error =
+      estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
+  return {value, change, error};
+}
+
+CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
+                            const Refinement& found, const std::vector<GridStep>& trace) {
+  const Values &value = found.value, error = found.error * scale_of(level.value);
+  const auto n = static_cast<int>(level.h.size());
+  CoupledSolution x{scene, formulation,      value, error, n, level.newton_steps, level.h,
+                    0,     level.violations, trace};
   x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
-  x.error(hottest_at) = level.at.slip * std::sqrt(error);
+  x.error(hottest_at) = level.at.slip * std::sqrt(found.error);
   return x;
 }
 
 bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& x, const auto& y) { return x.what == y.what; });
-}
-
-/// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
-double unresolved(double tail, int n, bool slow) {
-  const double part = (n < 30 ? 20.0 : 10.0) / n / n;
-  const bool early = n <= 100 && (slow || n >= 30);
-  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
-  const double layer = tail > large ? std::min(1e3 * tail, 1.0) : 0;
-  return tail * std::max(part, layer);
-}
-
-/// Strong heating, or a zone of less than a twentieth of the contact.
-bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
-  return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
-}
-
-/// How much of a change since the last grid is believed to be the error of this one of n unknowns.
-double part_of_change(int n, bool slow) {
-  if (n > 200) return 0.05;
-  if (slow) return n < 30 ? 3 : 1;
-  return 0.2;
-}
-
-/// Size of the last quarter of the coefficients, relative to the largest.
-double tail(const VectorXd& h) {
-  return h.tail(h.size() / 4).lpNorm<Infinity>() / h.lpNorm<Infinity>();
-}
-
-/// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
-/// the tail now and before, and the change since the last grid; slow where convergence is.
-double estimate(const Values& change, double now, double before, int n, bool slow) {
-  double integrals = 0;
-  for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
-  const double size = n, part = part_of_change(n, slow);
-  const double shrunk = std::clamp(now / before, part / 4, part);
-  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(hottest)}) +
-         4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 
 GridStep step_of(const GridSolution& level) {
@@ -266,37 +285,28 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
-  Values slope, change = Values::Zero();
+  Values slope;
   GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
-  Values value = carried_over(level, given, slope);
+  Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
-  double best = 1;
-  int stalled = 0;  // grids in a row that have gained little
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
-  for (;; n = std::min(2 * n, most_unknowns)) {
+  for (int stalled = 0;; n = std::min(2 * n, most_unknowns)) {
     const GridSolution last = level;
-    const double step = slope(border) * residual(last, given);
+    const double best = found.error, step = slope(border) * residual(last, given);
     level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
     trace.push_back(step_of(level));
     if (level.newton_steps > 0) {
-      const Values before = value, scale = scale_of(level.value);
-      value = carried_over(level, given, slope);
-      const Values moved = (value - before).abs().max((value - level.value).abs());
-      const bool slow = converges_slowly(scene, level.at);
-      change = (moved / scale).max((slow ? 0.004 : 0.02) * change);
-      const double error =
-          estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
-      trace.back().change = change.head(hottest + 1).maxCoeff();
-      trace.back().estimate = error;
-      if (error <= tolerance && same_kinds(level.violations, last.violations))
-        return solution_of(scene, formulation, level, value, error, trace);
-      stalled = n > 64 && error > 0.5 * best && error > 100 * tolerance ? stalled + 1 : 0;
-      if (stalled == 2) break;  // it gets nowhere
-      best = error;
+      found = refined(scene, found, level, last, given, slope);
+      trace.back().change = found.change.head(hottest + 1).maxCoeff();
+      trace.back().estimate = found.error;
+      if (found.error <= tolerance && same_kinds(level.violations, last.violations))
+        return solution_of(scene, formulation, level, found, trace);
+      stalled =
+          n > 64 && found.error > 0.5 * best && found.error > 100 * tolerance ? stalled + 1 : 0;
     } else {
       level = last;
     }
-    if (n == most_unknowns) break;
+    if (stalled == 2 || n == most_unknowns) break;
   }
   throw NotResolved("coupled: not resolved to " + shortest(tolerance) + " with " +
                         std::to_string(n) + " unknowns",
