@@ -28,7 +28,8 @@ struct FastLimit {
       const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
       const ZoneLengths at{slip, 2 - slip};
       const HottestPoint top = find_hottest(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
-      y(i) = top.y, value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
+      y(i) = top.y;
+      value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
       curvature(i) = top.curvature;
     }
     for (VectorXd* series : {&y, &value, &curvature}) *series = to_legendre(rule) * *series;
@@ -111,7 +112,9 @@ Correction correct(const Scene& scene, Formulation formulation, const Prescribed
   x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
   x.violations = violations(factors(grid, h0));
   if (!near) x.most = x.mean = std::numeric_limits<double>::infinity();
-  x.carter = c, x.cold = carter_values(cold), x.value = carter_values(c) + change;
+  x.carter = c;
+  x.cold = carter_values(cold);
+  x.value = carter_values(c) + change;
   return x;
 }
 
@@ -130,7 +133,8 @@ CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd
   x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
   const Values scale = scale_of(x.value);
   const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
-  x.error = all * scale, x.error(hottest_at) = at.slip * std::sqrt(all);
+  x.error = all * scale;
+  x.error(hottest_at) = at.slip * std::sqrt(all);
   x.value(given.quantity) = given.value;
   return x;
 }
