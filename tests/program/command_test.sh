@@ -50,7 +50,7 @@ MethodIsTheOneAskedFor() {
     answers solve "${paper_case[@]}" --method $method --format json
     [ "$(value method)" = $method ] || fail "$method: $(cat out)"
     case $method in auto | gauss-chebyshev) continue ;; esac
-    [ "$(value model)" = $method ] || fail "$method: $(cat out)"
+    [ "$(value model), $(value reason)" = "$method, asked for" ] || fail "$method: $(cat out)"
   done
 }
 

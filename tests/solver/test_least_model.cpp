@@ -11,8 +11,8 @@
 #include "driven.hpp"
 #include "reference.hpp"
 #include "solver/contact_grid.hpp"
-#include "solver/surface.hpp"
 #include "solver/least_model.hpp"
+#include "solver/surface.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/temperature.hpp"
 
