@@ -1,4 +1,4 @@
-// Tangled from paper/G-fast-kernels.md; edit there.
+// Tangled from paper/F-fast-kernels.md; edit there.
 #include "model/kernel_table.hpp"
 
 #include <algorithm>

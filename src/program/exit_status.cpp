@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md, paper/F-sweeps-and-reliability.md; edit there.
+// Tangled from paper/A-command-line.md, paper/C-sweeps-and-reliability.md; edit there.
 #include "program/exit_status.hpp"
 
 #include <sys/resource.h>

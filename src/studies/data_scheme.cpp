@@ -1,4 +1,4 @@
-// Tangled from paper/B-data-files.md; edit there.
+// Tangled from paper/D-data-files.md; edit there.
 #include "studies/cached_scheme.hpp"
 #include "studies/data.hpp"
 #include "studies/paper_case.hpp"

@@ -1,4 +1,4 @@
-// Tangled from paper/B-data-files.md; edit there.
+// Tangled from paper/D-data-files.md; edit there.
 #include <algorithm>
 #include <cmath>
 

@@ -72,7 +72,7 @@ SecondRunDoesNothing() { # in the copy
 
 ProseEditRewritesTheReportOnly() { # in the copy
   in_copy reproduce
-  printf '\nOne sentence more.\n' >>paper/15-conclusions.md
+  printf '\nOne sentence more.\n' >>paper/18-conclusions.md
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' \
@@ -85,7 +85,7 @@ ProseEditRewritesTheReportOnly() { # in the copy
 
 DraftIsOneChapter() { # in the copy
   in_copy reproduce
-  make draft CHAPTER=15 >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  make draft CHAPTER=18 >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   [ -z "$(steps "$work/log")" ] || fail "more was made: $(cat "$work/log")"
   grep -q '<h2[^>]*sec:conclusions' build/draft.html || fail "the chapter is not there"
   [ "$(grep -c '<h2' build/draft.html)" -le 2 ] || fail "more than a chapter and its references"
@@ -379,7 +379,7 @@ WhereNamesTheChaptersLine() { # of the text
 
 # The extracts in the chapter on the build stand in the Makefile, line by line.
 ChapterQuotesTheFiles() { # of the text
-  awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/C-build.md >"$work/quoted"
+  awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/G-build.md >"$work/quoted"
   [ -s "$work/quoted" ] || fail "the chapter quotes nothing"
   local line
   while IFS= read -r line; do
@@ -393,7 +393,7 @@ PackagesAreExplained() { # of the text
     grep -x '[a-z0-9+-]\+' | sort -u >"$work/listed"
   [ -s "$work/listed" ] || fail "no packages found in the Makefile"
   local text
-  for text in paper/C-build.md README.md; do
+  for text in paper/G-build.md README.md; do
     awk '/\| *package *\|| Debian package \|/ { inside = 1; next } !/^\|/ { inside = 0 } inside' $text |
       cut -d'|' -f2 | grep -o '`[^`]*`' | tr -d '`' | sort | diff "$work/listed" - ||
       fail "$text explains other packages than the Makefile lists"
