@@ -23,6 +23,9 @@ copy_project() {
   (cd "$folder/new" && find . -type f) | while read -r name; do
     cmp -s "$folder/new/$name" "$project/src/$name" || cp "$folder/new/$name" "$project/src/$name"
   done
+  (cd "$project/src" && find . -type f) | while read -r name; do
+    [ -e "$folder/new/$name" ] || rm "$project/src/$name"
+  done
 }
 
 choose() {
