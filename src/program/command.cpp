@@ -137,15 +137,36 @@ bool same_file(const std::string& a, const std::string& b) {
   return a == b || (!place.empty() && place == fs::weakly_canonical(fs::absolute(b), none));
 }
 
+void print_trace(const std::vector<GridStep>& trace) {
+  const auto text = [](const std::optional<double>& x) -> std::string {
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%.1e", x.value_or(0));
+    return x ? digits : "-";
+  };
+  std::fprintf(stderr, "%8s %20s %6s %8s %8s %8s\n", "unknowns", "border", "newton", "tail",
+               "change", "estimate");
+  for (const GridStep& x : trace)
+    std::fprintf(stderr, "%8d %20.15g %6d %8s %8s %8s\n", x.unknowns, x.border, x.newton_steps,
+                 text(x.tail).c_str(), text(x.change).c_str(), text(x.estimate).c_str());
+}
+
+SolvedCase solve_traced(const Options& o) try {
+  return solve_case(read_case(o.of_case));
+} catch (const NotResolved& failure) {
+  if (o.trace) print_trace(failure.trace);
+  throw;
+}
+
 void run_solve(const Options& o) {
   if (o.profile == "-")
     throw std::invalid_argument("profile = - is not allowed: it must be a file, beside the result");
   if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
     throw std::invalid_argument("--profile and --output are the same file, " + o.output);
-  const auto [x, units, physical] = solve_case(read_case(o.of_case));
+  const auto [x, units, physical] = solve_traced(o);
   std::vector<Answer> answers{{present(x, physical, value_of(format_names, o.format)), o.output}};
   if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
   deliver(answers);
+  if (o.trace) print_trace(x.trace);
   conclude(x, o.of_case);
 }
 
@@ -206,6 +227,7 @@ void add_solve(CLI::App& program, Options& o) {
   add_format(command, o);
   command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
       ->type_name("FILE");
+  command.add_flag("--trace", o.trace, "tell the grids of the coupled solver on standard error");
   add_output(command, o);
 }
 

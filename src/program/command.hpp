@@ -16,7 +16,7 @@ struct Options {
   std::string at, name, times, format = "text", output, profile;
   double depth = 0;
   std::optional<int> jobs;
-  bool list = false, verbose = false;
+  bool list = false, verbose = false, trace = false;
 };
 
 /// What a command line asks for: a subcommand with its options or, where that is empty, a text.

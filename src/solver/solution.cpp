@@ -53,7 +53,7 @@ Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const 
   Results value = named(v, x.eccentricity), error = named(e, drift);
   the_given_one(value, given) = given.value;
   the_given_one(error, given) = 0;
-  return {scene, approach, value, error, x, true, name_of(model), reason, x.violations};
+  return {scene, approach, value, error, x, true, name_of(model), reason, x.violations, x.trace};
 }
 
 Solution solve_closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {

@@ -868,6 +868,28 @@ VerboseTellsTheTime() {
   grep -qx 'thermoroll: [0-9.e-]* s' err || fail "said: $(cat err)"
 }
 
+# A line for each grid: the border's, then the others with a change and an estimate, of which the last is
+# below the tolerance. Where that is not met the lines come before the refusal.
+TraceTellsTheGrids() {
+  local case=(--friction 0.6 --traction 0.5 --peclet 100 --heating 1 --method coupled)
+  answers solve "${case[@]}" --format json --tolerance 1e-8
+  cp out expected
+  run solve "${case[@]}" --format json --tolerance 1e-8 --trace
+  cmp out expected || fail "the trace is part of the answer"
+  head -1 err | grep -qE '^unknowns +border +newton +tail +change +estimate$' || fail "said: $(cat err)"
+  awk -v unknowns="$(value unknowns)" '
+    NR == 2 { wrong += $5 != "-" || $6 != "-" }
+    NR > 2 { wrong += !($1 > before) || !($3 > 0) || $6 == "-" }
+    { before = $1; last = $6 }
+    END { exit wrong || NR < 4 || before != unknowns || !(last <= 1e-8) }' err || fail "$(cat err)"
+  run solve "${case[@]}" --tolerance 1e-2 --trace --method closed-form
+  [ "$(wc -l <err)" = 1 ] || fail "grids of the closed form: $(cat err)"
+  run solve --friction 0.4776 --traction 0.2663 --peclet 200077 --heating 15.45 --formulation printed \
+    --method coupled --tolerance 1e-9 --trace
+  [ "$status" = 1 ] && [ ! -s out ] && [ "$(wc -l <err)" -ge 4 ] && tail -1 err | grep -q '^thermoroll: coupled: not resolved' ||
+    fail "status $status, said: $(cat err)"
+}
+
 # --- The other subcommands ------------------------------------------------------------------------
 
 FigureData() {

@@ -45,8 +45,8 @@ struct GridStep {
   int unknowns;
   double border;     ///< c0
   int newton_steps;  ///< 0 where Newton's method failed
-  double tail;       ///< the last quarter of the coefficients of h, relative to the largest
-  std::optional<double> change, estimate;
+  /// tail: the last quarter of the coefficients of h, relative to the largest.
+  std::optional<double> tail, change, estimate;
 };
 
 /// The tolerance is not met on the finest grid, or the estimate stays where it is.

@@ -51,6 +51,7 @@ struct Solution {
   bool converged = true;
   std::string model{}, reason{};        ///< the rung of @sec:ladder and why; empty for the scheme
   std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one
+  std::vector<GridStep> trace{};        ///< the grids of the coupled solver; empty for the others
 };
 
 /// Solve the scene for what is prescribed.
