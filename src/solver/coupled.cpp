@@ -226,8 +226,9 @@ bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b
 }
 
 GridStep step_of(const GridSolution& level) {
-  return {
-      static_cast<int>(level.h.size()), level.at.c0(), level.newton_steps, tail(level.h), {}, {}};
+  GridStep step{static_cast<int>(level.h.size()), level.at.c0(), level.newton_steps, {}, {}, {}};
+  if (level.newton_steps > 0) step.tail = tail(level.h);
+  return step;
 }
 
 /// The grid of n unknowns at the border of a solution.

@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Quantity kinds[] = {traction, creep, border};
   const Formulation formulation = data[0] % 2 == 0 ? Formulation::corrected : Formulation::printed;
   const Prescribed given{kinds[data[0] / 2 % 3], x[1]};
-  fuzz::done_or_refused<std::invalid_argument, std::runtime_error>([&] {
+  fuzz::done_or_refused<std::invalid_argument, std::runtime_error, NotResolved>([&] {
     const CoupledSolution found = solve_coupled({x[0], x[2], x[3]}, formulation, x[4], given);
     if (!found.value.allFinite() || !found.error.allFinite()) fuzz::fail("not finite");
     if (found.unknowns < 1 || found.newton_steps < 1) fuzz::fail("nothing was solved");

@@ -444,6 +444,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
     record.outcome(words_of(what));
     record.require("refusals are of the documented type and one line",
                    (typeid(error) == typeid(std::runtime_error) ||
+                    typeid(error) == typeid(thermoroll::NotResolved) ||
                     typeid(error) == typeid(std::invalid_argument)) &&
                        !what.empty() && what.find('\n') == std::string::npos);
   }

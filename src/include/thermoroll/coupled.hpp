@@ -40,7 +40,7 @@ struct Prescribed {
 };
 
 /// What a grid of n unknowns has found; change and estimate are relative, and not there for the
-/// grid on which the border was found, nor where Newton's method failed.
+/// grid on which the border was found. Where Newton's method failed there is none of the three.
 struct GridStep {
   int unknowns;
   double border;     ///< c0
@@ -96,7 +96,8 @@ Carter carter_given(double friction, const Prescribed& given);
 /// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0, relative for
 /// creep_constant, creep, heat and hottest; that of hottest_at is the length of the slip zone times
 /// the root of it. Throws std::invalid_argument for data out of range or a creep at which the whole
-/// contact slips, std::runtime_error where no solution is found or the tolerance is not met.
+/// contact slips, std::runtime_error where no solution is found, NotResolved where the tolerance is
+/// not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Prescribed& given);
 
