@@ -60,11 +60,12 @@ HottestPoint search(double slip, double peclet, const VectorXd& h, const GaussLe
                            : 0;
   };
   HottestPoint top{0, 0};
-  for (double apart = 1.0 / 16; apart > 1e-5; apart /= 8) {
+  double apart = 1.0 / 16;
+  for (int round = 0; round < 5; ++round, apart /= 8) {
     const double middle = top.y;
     for (int i = -16; i <= 16; ++i) {
       const double y = middle + i * apart, now = value(y);
-      if (now > top.value) top.y = y, top.value = now;
+      if (now > top.value) top = {y, now};
     }
   }
   return top;
@@ -92,18 +93,19 @@ HottestPoint find_hottest(double slip, double peclet, const VectorXd& h, const H
   }
 }
 
-ArrayXd surface_temperature(const ZoneLengths& border, double peclet, const VectorXd& h,
+ArrayXd surface_temperature(const ZoneLengths& at, double peclet, const VectorXd& h,
                             const ArrayXd& s, const GaussLegendre& rule) {
-  const double slip = border.slip;
+  const double slip = at.slip;
   GradedRule first, last, graded;
-  grade(first, peclet * slip, 0, 0, 2, rule), grade(last, peclet * slip, 0, 0, 2, rule);
+  grade(first, peclet * slip, 0, 0, 2, rule);
+  grade(last, peclet * slip, 0, 0, 2, rule);
   first.cut(20);
   const GradedArray at_first = first.heat * series(1, first.y, h);
   const GradedArray at_last = last.heat * series(-1, last.y, h);
   ArrayXd sums(s.size());
   for (Index i = 0; i < s.size(); ++i) {
     const double right = 1 - s(i);
-    const double left = slip < border.stick ? slip - right : 1 + s(i) - border.stick;
+    const double left = slip < at.stick ? slip - right : 1 + s(i) - at.stick;
     if (left <= 0) {
       sums(i) = temperature_sum(first, at_first, 1, -peclet * left);
     } else if (right <= 0) {

@@ -45,13 +45,13 @@ void values_with_heat(nlohmann::ordered_json& v) {
   v["steel_creep_difference"] = fixed(paper::friction * std::abs(printed.value(gamma0)), 4);
   v["steel_eccentricity"] = fixed(std::abs(printed.eccentricity), 4);
   v["corrected_kappa"] = fixed(1 - other.value(load_ratio), 5);
-  for (const auto& [sign, x] : {std::pair{"steel", printed}, {"corrected", other}}) {
+  for (const auto& [name, x] : {std::pair{"steel", printed}, {"corrected", other}}) {
     const auto change = [&, &x = x](Quantity what) {
       return fixed(100 * std::abs(x.value(what) / cold.creep - 1), 2);
     };
-    v[std::string(sign) + "_border"] = fixed(x.value(border), 4);
-    v[std::string(sign) + "_constant_change"] = change(creep_constant);
-    v[std::string(sign) + "_creep_change"] = change(creep);
+    v[std::string(name) + "_border"] = fixed(x.value(border), 4);
+    v[std::string(name) + "_constant_change"] = change(creep_constant);
+    v[std::string(name) + "_creep_change"] = change(creep);
   }
 }
 
