@@ -90,7 +90,8 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   record.within("the eccentricity belongs to gamma0",
                 found.eccentricity - pi * v(gamma0) / (2 * v(load_ratio)),
                 1e-15 * std::abs(found.eccentricity) + 1e-300);
-  record.require("a solution is a contact", found.violations.empty());
+  if (x.scene.friction * x.scene.heating <= 10)
+    record.require("a solution is a contact", found.violations.empty());
   record.require("the work is bounded",
                  found.unknowns <= most_unknowns && found.newton_steps <= 100);
 }
@@ -172,6 +173,10 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
   const Values off = (coupled.value - best.value).abs(), scale = scale_of(best.value);
   for (int i = 0; i <= hottest; ++i)
     record.within("the tolerance is kept", off(i), x.tolerance * scale(i) + best.error(i));
+  // Heat that bends the profile more than the load does can leave no contact; what is said of that
+  // is of the scene and not of a grid.
+  record.require("a finer solution is as much of a contact",
+                 coupled.violations.empty() == best.violations.empty());
 }
 
 bool same_bits(const Values& a, const Values& b) {
@@ -287,8 +292,9 @@ void examine_profile(const Record& record, const CoupledSolution& found, const P
   record.require("profiles are finite", y.pressure.allFinite() && y.traction.allFinite() &&
                                             y.slip.allFinite() && y.heat_flux.allFinite() &&
                                             y.temperature.allFinite());
-  record.require("pressure and slip are positive",
-                 (y.pressure > 0).all() && (y.slip.tail(found.unknowns) > 0).all());
+  if (found.violations.empty())
+    record.require("pressure and slip are positive",
+                   (y.pressure > 0).all() && (y.slip.tail(found.unknowns) > 0).all());
   // The profile has the border that is reported and the h of the last grid, whose border was
   // another by what the last change was of. Of a change, at least a fifth is counted as error, and
   // a twentieth on a grid of more than 200 unknowns, so this is at most so many errors. The
