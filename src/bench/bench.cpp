@@ -41,7 +41,7 @@ constexpr Formulation sign = Formulation::corrected;
 
 /// Both sides of the equations on the last grid, for an h of so many terms.
 struct LastGrid {
-  CoupledSolution x = solve_coupled(steel, sign, 1e-8, {traction, 0.5});
+  CoupledSolution x = solve_coupled(steel, sign, 1e-8, {Quantity::traction, 0.5});
   SmoothFlux flux = smooth_flux(x);
   ContactGrid grid = contact_grid(steel, sign, {flux.slip, flux.stick}, 60);
   ThermalTerms thermal(Eigen::Index terms) const {
@@ -91,7 +91,7 @@ void random_scenes_by(benchmark::State& state, bool ladder, double tolerance) {
   const std::vector<Sample> scenes = random_scenes(200);
   for (auto _ : state)
     for (const auto& [scene, pull, formulation] : scenes) try {
-        const Prescribed given{traction, pull};
+        const Prescribed given{Quantity::traction, pull};
         if (ladder) {
           benchmark::DoNotOptimize(least_model(scene, formulation, tolerance, given));
         } else {
@@ -115,7 +115,7 @@ void carters_problem(benchmark::State& state) {
   const double given = carter(0.3, 0.192).creep;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        solve_coupled({0.3, 1, 0}, Formulation::corrected, 1e-6, {creep, given}));
+        solve_coupled({0.3, 1, 0}, Formulation::corrected, 1e-6, {Quantity::creep, given}));
 }
 
 }  // namespace

@@ -84,8 +84,9 @@ Prescribed read_given(const CaseOptions& o) {
   if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
     throw std::invalid_argument(
         "exactly one of --traction, --creep and --stick-slip-border is needed");
-  if (o.traction) return {traction, *o.traction};
-  return o.creep ? Prescribed{creep, *o.creep} : Prescribed{border, *o.border};
+  if (o.traction) return {Quantity::traction, *o.traction};
+  return o.creep ? Prescribed{Quantity::creep, *o.creep}
+                 : Prescribed{Quantity::stick_slip_border, *o.border};
 }
 
 /// A validator for the option of this name, with this condition and description of what is allowed.

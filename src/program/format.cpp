@@ -24,18 +24,6 @@ struct Row {
   double T::*value;
 };
 
-constexpr Row<Results> result_rows[] = {
-    {"traction", "Q*", "", &Results::traction},
-    {"stick_slip_border", "c0", "", &Results::stick_slip_border},
-    {"creep_constant", "C", "", &Results::creep_constant},
-    {"creep", "xi*", "", &Results::creep},
-    {"load_ratio", "kappa", "", &Results::load_ratio},
-    {"gamma0", "gamma0", "", &Results::gamma0},
-    {"eccentricity", "", "", &Results::eccentricity},
-    {"heat_integral", "int v*p*", "", &Results::heat_integral},
-    {"max_temperature", "T*max", "", &Results::max_temperature},
-    {"max_temperature_at", "s", "", &Results::max_temperature_at}};
-
 constexpr Row<PhysicalResults> physical_rows[] = {
     {"half_width", "a", "m", &PhysicalResults::half_width},
     {"radius", "R", "m", &PhysicalResults::radius},
@@ -54,19 +42,25 @@ json object(const Row<T> (&rows)[n], const T& values) {
   return o;
 }
 
+json object(const Results& values) {
+  json o;
+  for (const Reported& row : reported) o[row.key] = values(row.quantity);
+  return o;
+}
+
 json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   json o;
   const auto* scheme = std::get_if<PublishedSolution>(&x.found);
   o["method"] = name_of(method_names, x.approach.method);
-  o["model"] = scheme ? json() : json(x.model);
+  o["model"] = scheme ? json() : json(name_of(model_names, *x.model));
   o["reason"] = scheme ? json() : json(x.reason);
   o["formulation"] = name_of(formulation_names, x.approach.formulation);
   o["friction"] = x.scene.friction;
-  o["traction"] = x.value.traction;
+  o["traction"] = x.value(Quantity::traction);
   o["peclet"] = x.scene.peclet;
   o["heating"] = x.scene.heating;
   o["nodes"] = scheme ? json(x.approach.nodes) : json();
-  o.update(object(result_rows, x.value));
+  o.update(object(x.value));
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
   o["inner_iterations"] = scheme ? scheme->inner_iterations : 0;
@@ -77,7 +71,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["violations"] = json::array();
   for (const auto& [what, from, to] : x.violations)
     o["violations"].push_back({{"what", what}, {"from", from}, {"to", to}});
-  o["error_estimate"] = x.error ? object(result_rows, *x.error) : json();
+  o["error_estimate"] = x.error ? object(*x.error) : json();
   if (physical) {
     o["physical"] = object(physical_rows, physical->value);
     o["physical"]["error_estimate"] =
@@ -86,17 +80,23 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   return o;
 }
 
+void require_finite(const std::string& name, double value) {
+  if (!std::isfinite(value))
+    throw NotConverged("no finite result was found: " + name + " is " + std::to_string(value));
+}
+
 template <class T, std::size_t n>
 void require_finite(const Row<T> (&rows)[n], const T& values) {
-  for (const Row<T>& row : rows)
-    if (!std::isfinite(values.*row.value))
-      throw NotConverged(std::string("no finite result was found: ") + row.name + " is " +
-                         std::to_string(values.*row.value));
+  for (const Row<T>& row : rows) require_finite(row.name, values.*row.value);
+}
+
+void require_finite(const Results& values) {
+  for (const Reported& row : reported) require_finite(row.key, values(row.quantity));
 }
 
 void require_finite(const Solution& x, const std::optional<FoundInSi>& physical) {
-  require_finite(result_rows, x.value);
-  if (x.error) require_finite(result_rows, *x.error);
+  require_finite(x.value);
+  if (x.error) require_finite(*x.error);
   if (physical) require_finite(physical_rows, physical->value);
   if (physical && physical->error) require_finite(physical_rows, *physical->error);
 }
@@ -180,10 +180,10 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
   plain("friction", "f");
   plain("peclet", "Pe");
   plain("heating", "H");
-  for (const auto& row : result_rows) {
-    const double error = x.error ? *x.error.*row.value : 0;
-    table.push_back({row.name, row.symbol, digits(x.value.*row.value, x.error ? 9 : 6),
-                     error > 0 ? digits(error, 1) : "", row.unit});
+  for (const auto& [quantity, key, symbol] : reported) {
+    const double error = x.error ? (*x.error)(quantity) : 0;
+    table.push_back({key, symbol, digits(x.value(quantity), x.error ? 9 : 6),
+                     error > 0 ? digits(error, 1) : "", ""});
   }
   if (physical)
     for (const auto& row : physical_rows) {
@@ -218,7 +218,7 @@ std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>&
   require_finite(x, physical);
   json o = to_json(x, physical);
   if (!x.error)
-    for (const auto& row : result_rows) o["error_estimate"][row.name] = nullptr;
+    for (const Reported& row : reported) o["error_estimate"][row.key] = nullptr;
   if (physical && !physical->error)
     for (const auto& row : physical_rows) o["physical"]["error_estimate"][row.name] = nullptr;
   std::vector<Field> fields;

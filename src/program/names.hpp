@@ -23,6 +23,9 @@ inline constexpr Name<Method> method_names[] = {{"auto", Method::automatic},
                                                 {"first-order", Method::first_order},
                                                 {"coupled", Method::coupled},
                                                 {"gauss-chebyshev", Method::gauss_chebyshev}};
+inline constexpr Name<Model> model_names[] = {{"closed-form", Model::closed_form},
+                                              {"first-order", Model::first_order},
+                                              {"coupled", Model::coupled}};
 inline constexpr Name<Formulation> formulation_names[] = {{"printed", Formulation::printed},
                                                           {"corrected", Formulation::corrected}};
 

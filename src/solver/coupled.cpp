@@ -19,6 +19,7 @@ using Eigen::Index;
 using Eigen::Infinity;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using enum Quantity;
 
 namespace {
 
@@ -50,33 +51,33 @@ double tail(const VectorXd& h) {
 
 /// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
 /// the tail now and before, and the change since the last grid; slow where convergence is.
-double estimate(const Values& change, double now, double before, int n, bool slow) {
+double estimate(const Results& change, double now, double before, int n, bool slow) {
   double integrals = 0;
-  for (int i = 0; i < hottest; ++i) integrals = std::max(integrals, change(i));
+  for (int i = 0; i + 1 < compared; ++i) integrals = std::max(integrals, change[i]);
   const double size = n, part = part_of_change(n, slow);
   const double shrunk = std::clamp(now / before, part / 4, part);
-  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(hottest)}) +
+  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(max_temperature)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 
 struct GridSolution {
   ZoneLengths at;
-  Values value;
+  Results value;
   VectorXd h;                         // Legendre coefficients; none before the first grid
   HottestPoint peak;                  // the hottest point
   int newton_steps = 0;               // 0 where Newton failed
   std::vector<Violation> violations;  // where it is no contact
 };
 
-Values values_on_grid(const ContactGrid& grid, const GridSolution& found) {
+Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   const ZoneLengths& at = found.at;
   const Resultants sum = resultants(grid, found.h);
   const SlipPoint top(1 + found.peak.y, 1 - found.peak.y);
   const double creep = sum.constant - grid.scene.friction * sum.gamma0;
   const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
-  Values value;
+  Results value;
   value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
-      found.peak.value, at.c0() + at.slip * top.t();
+      found.peak.value, at.c0() + at.slip * top.t(), 0;
   return value;
 }
 
@@ -97,7 +98,7 @@ GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
 
 /// What a solution misses of what is given; a border is measured from the nearer end.
 double residual(const GridSolution& x, const Prescribed& given) {
-  if (given.quantity != border) return given.value - x.value(given.quantity);
+  if (given.quantity != stick_slip_border) return given.value - x.value(given.quantity);
   return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
 }
 
@@ -111,7 +112,7 @@ ZoneLengths moved_by(const ZoneLengths& x, double step) {
 /// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
 /// no solution is found.
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
-                         const Prescribed& given, GridSolution level, Values& slope) {
+                         const Prescribed& given, GridSolution level, Results& slope) {
   ZoneLengths at = level.at;
   for (int k = 0, failed = 0; k < 30; ++k) {
     const GridSolution last = level;
@@ -124,7 +125,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     if (moved != 0) slope = (level.value - last.value) / moved;
     const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
-    double step = slope(border) * residual(level, given);
+    double step = slope(stick_slip_border) * residual(level, given);
     if (k > 0 && std::abs(step) <= near) return level;
     if (std::abs(step) < near) step = near;             // a second border, for the derivative
     if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
@@ -159,7 +160,7 @@ void check_slips_in_part(const Scene& scene, Formulation formulation, int n, dou
 /// derivative of all quantities with respect to what is prescribed goes to slope. Throws
 /// std::runtime_error where there is no border, and std::invalid_argument for too large a creep.
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
-                             const Prescribed& given, Values& slope) {
+                             const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
   Prescribed near = given;  // a creep beyond Carter's starts close to full slip
   if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
@@ -169,7 +170,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
   for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
        n *= 2) {
-    Values better = slope;
+    Results better = slope;
     tried = find_border(scene, formulation, n, given, level, better);
     if (tried.newton_steps > 0) {
       level = tried;
@@ -184,8 +185,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   return level;
 }
 
-Values carried_over(const GridSolution& level, const Prescribed& given, const Values& slope) {
-  Values met = level.value + slope * residual(level, given);
+Results carried_over(const GridSolution& level, const Prescribed& given, const Results& slope) {
+  Results met = level.value + slope * residual(level, given);
   met(given.quantity) = given.value;
   return met;
 }
@@ -193,17 +194,17 @@ Values carried_over(const GridSolution& level, const Prescribed& given, const Va
 /// The values of a solution so far, carried over to what is prescribed, the change since the grid
 /// before and the estimated error, both relative.
 struct Refinement {
-  Values value, change = Values::Zero();
+  Results value, change = Results::Zero();
   double error = 1;
 };
 
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
-                   const GridSolution& last, const Prescribed& given, const Values& slope) {
-  const Values scale = scale_of(level.value), value = carried_over(level, given, slope);
-  const Values moved = (value - before.value).abs().max((value - level.value).abs());
+                   const GridSolution& last, const Prescribed& given, const Results& slope) {
+  const Results scale = scale_of(level.value), value = carried_over(level, given, slope);
+  const Results moved = (value - before.value).abs().max((value - level.value).abs());
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
-  const Values change = (moved / scale).max((slow ? 0.004 : 0.02) * before.change);
+  const Results change = (moved / scale).max((slow ? 0.004 : 0.02) * before.change);
   const double error =
       estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
   return {value, change, error};
@@ -211,12 +212,12 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
 
 CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
                             const Refinement& found, const std::vector<GridStep>& trace) {
-  const Values &value = found.value, error = found.error * scale_of(level.value);
+  const Results error = found.error * scale_of(level.value);
   const auto n = static_cast<int>(level.h.size());
-  CoupledSolution x{scene, formulation,      value, error, n, level.newton_steps, level.h,
-                    0,     level.violations, trace};
-  x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
-  x.error(hottest_at) = level.at.slip * std::sqrt(found.error);
+  CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
+                    level.h, level.violations, trace};
+  x.error(max_temperature_at) = level.at.slip * std::sqrt(found.error);
+  add_eccentricity(x.value, x.error);
   return x;
 }
 
@@ -233,7 +234,9 @@ GridStep step_of(const GridSolution& level) {
 
 /// The grid of n unknowns at the border of a solution.
 ContactGrid grid_of(const CoupledSolution& x, int n) {
-  return contact_grid(x.scene, x.formulation, {x.value(slip_length), 1 + x.value(border)}, n);
+  return contact_grid(x.scene, x.formulation,
+                      {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border)},
+                      n);
 }
 
 }  // namespace
@@ -244,12 +247,12 @@ void check(double friction, const Prescribed& given) {
   const double x = given.value;
   const Quantity q = given.quantity;
   require(friction > 0, "friction", friction, "positive");
-  require(q == traction || q == creep || q == border, "given quantity", q,
-          "traction, creep or border");
+  require(q == traction || q == creep || q == stick_slip_border, "given quantity",
+          static_cast<int>(q), "traction, creep or border");
   if (q == traction) require(x > 0, "traction", x, below + no_braking);
   if (q == traction) require(x < friction, "traction", x, below + ", " + shortest(friction));
   if (q == creep) require(x > 0, "creep", x, "positive" + no_braking);
-  if (q == border) require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
+  if (q == stick_slip_border) require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
 }
 
 void check(const Scene& scene, const Prescribed& given) {
@@ -260,24 +263,24 @@ void check(const Scene& scene, const Prescribed& given) {
 Carter carter_given(double friction, const Prescribed& given) {
   check(friction, given);
   if (given.quantity == traction) return carter(friction, given.value);
-  const bool by_border = given.quantity == border;
+  const bool by_border = given.quantity == stick_slip_border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
   require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
 }
 
-Values carter_values(const Carter& c) {
+Results carter_values(const Carter& c) {
   const double q = c.friction * c.slip_half_width * (1 + c.b);
-  Values values;
-  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0;
+  Results values;
+  values << c.c0, 2 * c.slip_half_width, q, c.creep, c.creep, 1, 0, carter_heat(c), 0, 0, 0;
   return values;
 }
 
-Values carter_slope(const Carter& c, Quantity by) {
+Results carter_slope(const Carter& c, Quantity by) {
   const double step = 1e-3 * std::min(c.b, c.slip_half_width), half = c.slip_half_width - step;
   const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
-  const Values change = carter_values(moved) - carter_values(c);
+  const Results change = carter_values(moved) - carter_values(c);
   return change / change(by);
 }
 
@@ -286,19 +289,19 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
-  Values slope;
+  Results slope;
   GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
   for (int stalled = 0;; n = std::min(2 * n, most_unknowns)) {
     const GridSolution last = level;
-    const double best = found.error, step = slope(border) * residual(last, given);
+    const double best = found.error, step = slope(stick_slip_border) * residual(last, given);
     level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
     trace.push_back(step_of(level));
     if (level.newton_steps > 0) {
       found = refined(scene, found, level, last, given, slope);
-      trace.back().change = found.change.head(hottest + 1).maxCoeff();
+      trace.back().change = found.change.head(compared).maxCoeff();
       trace.back().estimate = found.error;
       if (found.error <= tolerance && same_kinds(level.violations, last.violations))
         return solution_of(scene, formulation, level, found, trace);
@@ -314,14 +317,21 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
                     trace);
 }
 
-double rounding(const Prescribed& given, const Values& slope, const Values& scale) {
-  if (given.quantity == border) return 0;  // both lengths are exact
-  return 1e-15 * (given.value * slope / scale).head(hottest + 1).abs().maxCoeff();
+void add_eccentricity(Results& value, Results& error) {
+  const double kappa = value(load_ratio), shift = std::abs(value(gamma0)) / kappa;
+  value(eccentricity) = pi * value(gamma0) / (2 * kappa);
+  error(eccentricity) = pi / (2 * kappa) * (error(gamma0) + shift * error(load_ratio));
 }
 
-Values scale_of(const Values& v) {
-  Values scale = Values::Ones();
-  for (const Quantity q : {creep_constant, creep, heat, hottest}) scale(q) = std::abs(v(q));
+double rounding(const Prescribed& given, const Results& slope, const Results& scale) {
+  if (given.quantity == stick_slip_border) return 0;  // both lengths are exact
+  return 1e-15 * (given.value * slope / scale).head(compared).abs().maxCoeff();
+}
+
+Results scale_of(const Results& v) {
+  Results scale = Results::Ones();
+  for (const Quantity q : {creep_constant, creep, heat_integral, max_temperature})
+    scale(q) = std::abs(v(q));
   return scale;
 }
 
@@ -333,7 +343,8 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) 
 }
 
 HeatFlux coupled_flux(const CoupledSolution& x) {
-  return {x.value(border), 1, [h = x.h, slip = x.value(slip_length)](double left, double right) {
+  return {x.value(Quantity::stick_slip_border), 1,
+          [h = x.h, slip = x.value(Quantity::slip_length)](double left, double right) {
             const double eta = distance_of_share(std::min({left, right, slip / 2}) / slip);
             const ArrayXd y = ArrayXd::Constant(1, left < right ? eta - 1 : 1 - eta);
             return std::sqrt(left * right) * (legendre(y, h.size()) * h)(0);

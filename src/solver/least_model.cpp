@@ -14,6 +14,7 @@ namespace thermoroll {
 
 using Eigen::ArrayXd;
 using Eigen::VectorXd;
+using enum Quantity;
 
 namespace {
 
@@ -61,7 +62,7 @@ HottestPoint hottest_of_carter(const ZoneLengths& at, double friction, double pe
 
 bool sticks_without_heat(double friction, const Prescribed& given) {
   const double x = given.value, in_creep = given.quantity == creep ? pi / 2 : 1;
-  return given.quantity == border || (0 < x && in_creep * x < friction);
+  return given.quantity == stick_slip_border || (0 < x && in_creep * x < friction);
 }
 
 GridRules rules_of_correction(const Scene& scene, const ZoneLengths& at, int least) {
@@ -74,7 +75,7 @@ GridRules rules_of_correction(const Scene& scene, const ZoneLengths& at, int lea
 struct Correction {
   Carter carter;                      // without the heat that is added here
   VectorXd h;                         // its values of h at the nodes
-  Values value, cold;                 // all but the temperature, with heat and without
+  Results value, cold;                // all but the temperature, with heat and without
   double most, mean;                  // relative change of the flux, at any node and over the heat
   std::vector<Violation> violations;  // at the old border
 };
@@ -88,7 +89,7 @@ Correction correct(const Scene& scene, Formulation formulation, const Prescribed
   const ContactGrid grid = contact_grid(scene, formulation, before, rules, 10);
   const VectorXd h0 = carter_h(before, f);
   const Resultants sum = resultants(grid, h0);
-  Values change = Values::Zero();
+  Results change = Results::Zero();
   change(traction) = sum.traction - carter_values(cold)(traction);
   change(creep_constant) = sum.constant - cold.creep;
   change(creep) = change(creep_constant) - f * sum.gamma0;
@@ -107,7 +108,7 @@ Correction correct(const Scene& scene, Formulation formulation, const Prescribed
   Correction x;
   const ZoneLengths at = zones_of(c);
   x.h = unit * (at.stick + at.slip * z.t) + gained;
-  change(heat) = at.slip * at.slip * z.heat.dot(gained.matrix());
+  change(heat_integral) = at.slip * at.slip * z.heat.dot(gained.matrix());
   x.most = gained.abs().maxCoeff() / flat.maxCoeff();
   x.mean = z.heat.dot(gained.abs().matrix()) / z.heat.dot(flat.matrix());
   x.violations = violations(factors(grid, h0));
@@ -119,23 +120,23 @@ Correction correct(const Scene& scene, Formulation formulation, const Prescribed
 }
 
 double largest_change(const Correction& x) {
-  const Values change = (x.value - x.cold).abs() / scale_of(x.cold);
-  return std::max(change.head(heat + 1).maxCoeff(), x.mean);
+  const Results change = (x.value - x.cold).abs() / scale_of(x.cold);
+  return std::max(change.head(compared - 1).maxCoeff(), x.mean);
 }
 
 CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd& h,
-                     const Values& value, const Carter& c, const HottestPoint& top, double error,
+                     const Results& value, const Carter& c, const HottestPoint& top, double error,
                      const Prescribed& given) {
   const ZoneLengths at = zones_of(c);
-  CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, 0, {}, {}};
-  x.value(hottest) = top.value;
-  x.value(hottest_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
-  x.eccentricity = pi * value(gamma0) / (2 * value(load_ratio));
-  const Values scale = scale_of(x.value);
+  CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, {}, {}};
+  x.value(Quantity::max_temperature) = top.value;
+  x.value(Quantity::max_temperature_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
+  const Results scale = scale_of(x.value);
   const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
   x.error = all * scale;
-  x.error(hottest_at) = at.slip * std::sqrt(all);
+  x.error(Quantity::max_temperature_at) = at.slip * std::sqrt(all);
   x.value(given.quantity) = given.value;
+  add_eccentricity(x.value, x.error);
   return x;
 }
 
@@ -152,8 +153,8 @@ double expected_change(const Scene& scene, const Carter& c) {
   return scene.friction * scene.heating * std::min(std::sqrt(half), own_peclet);
 }
 
-double largest_difference(const Values& x, const Values& exact) {
-  return ((x - exact).abs() / scale_of(exact)).head(hottest + 1).maxCoeff();
+double largest_difference(const Results& x, const Results& exact) {
+  return ((x - exact).abs() / scale_of(exact)).head(compared).maxCoeff();
 }
 
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
@@ -194,13 +195,13 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
                            : 1;  // no closed form to start from
   if (guess < tolerance) {
     CoupledSolution x = closed_form(scene, formulation, tolerance, given);
-    const double left = x.error(load_ratio);
+    const double left = x.error(Quantity::load_ratio);
     if (left <= tolerance)
       return {Model::closed_form, "heat changes no result by more than " + brief(left), x};
   }
   if (guess * guess < tolerance) {
     CoupledSolution x = first_order(scene, formulation, tolerance, given);
-    const double left = x.error(load_ratio);
+    const double left = x.error(Quantity::load_ratio);
     if (left <= tolerance && x.violations.empty())
       return {Model::first_order, "the second order of heat is below " + brief(left), x};
   }

@@ -6,6 +6,7 @@
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/scene.hpp"
+#include "thermoroll/solution.hpp"
 
 namespace thermoroll {
 
@@ -22,9 +23,7 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
 
 /// The largest difference of any quantity but the place of the hottest point, in units of what its
 /// tolerance is relative to; dimensionless.
-double largest_difference(const Values& x, const Values& exact);
-
-enum class Model { closed_form, first_order, coupled };
+double largest_difference(const Results& x, const Results& exact);
 
 /// A solution, the model that it is of, and why that one.
 struct Choice {

@@ -13,23 +13,16 @@
 #include "thermoroll/temperature.hpp"
 
 namespace thermoroll {
+
+using enum Quantity;
+
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-double& the_given_one(Results& x, const Prescribed& given) {
-  if (given.quantity == creep) return x.creep;
-  return given.quantity == border ? x.stick_slip_border : x.traction;
-}
-
-Results named(const Values& x, double eccentricity) {
-  return {x(traction), x(border),    x(creep_constant), x(creep),   x(load_ratio),
-          x(gamma0),   eccentricity, x(heat),           x(hottest), x(hottest_at)};
-}
-
-std::string name_of(Model model) {
-  if (model == Model::closed_form) return "closed-form";
-  return model == Model::first_order ? "first-order" : "coupled";
+void set_given(const Prescribed& given, Results& value, Results& error) {
+  value(given.quantity) = given.value;
+  error(given.quantity) = 0;
 }
 
 Choice choose(const Scene& scene, const Approach& a, const Prescribed& given) {
@@ -46,28 +39,25 @@ Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const 
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
   const auto [model, reason, x] = choose(scene, approach, given);
   if (!x.error.allFinite())
-    throw std::runtime_error(name_of(model) + ": heat is too strong for one linear correction");
-  const Values &v = x.value, &e = x.error;
-  const double kappa = v(load_ratio);
-  const double drift = pi / (2 * kappa) * (e(gamma0) + std::abs(v(gamma0)) / kappa * e(load_ratio));
-  Results value = named(v, x.eccentricity), error = named(e, drift);
-  the_given_one(value, given) = given.value;
-  the_given_one(error, given) = 0;
-  return {scene, approach, value, error, x, true, name_of(model), reason, x.violations, x.trace};
+    throw std::runtime_error("first-order: heat is too strong for one linear correction");
+  Results value = x.value, error = x.error;
+  set_given(given, value, error);
+  return {scene, approach, value, error, x, true, model, reason, x.violations, x.trace};
 }
 
 Solution solve_closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
   const Peak top = hottest_point(smooth_flux(c), scene.peclet, 1e-9);
-  const Estimate t = top.temperature;
-  const double heat = carter_heat(c), xi = c.creep, xi_error = 4 * epsilon * xi;
-  const double q = scene.friction * c.slip_half_width * (1 + c.b);
-  Results value{q, c.c0, xi, xi, 1, 0, 0, heat, t.value, top.at};
-  Results error{4 * epsilon * q,    3 * epsilon, xi_error,    xi_error, 0, 0, 0,
-                8 * epsilon * heat, t.error,     top.at_error};
-  the_given_one(value, given) = given.value;
-  the_given_one(error, given) = 0;
-  return {scene, approach, value, error, c, true, name_of(Model::closed_form), "asked for"};
+  Results value = carter_values(c), error = Results::Zero();
+  value(max_temperature) = top.temperature.value;
+  value(max_temperature_at) = top.at;
+  error(stick_slip_border) = error(slip_length) = 3 * epsilon;
+  for (const Quantity q : {traction, creep_constant, creep}) error(q) = 4 * epsilon * value(q);
+  error(heat_integral) = 8 * epsilon * value(heat_integral);
+  error(max_temperature) = top.temperature.error;
+  error(max_temperature_at) = top.at_error;
+  set_given(given, value, error);
+  return {scene, approach, value, error, c, true, Model::closed_form, "asked for"};
 }
 
 PublishedSolution run_scheme(const Scene& scene, double traction, const Approach& approach) {
@@ -87,9 +77,10 @@ PublishedSolution run_scheme(const Scene& scene, double traction, const Approach
 Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approach& approach) {
   const PublishedSolution x = run_scheme(scene, traction, approach);
   const PublishedPeak top = published_max_temperature(x, scene.peclet);
-  const double eccentricity = pi * x.gamma0 / (2 * x.load_ratio), heat = node_heat(x).sum();
-  const Results value{traction,     x.c0, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
-                      eccentricity, heat, top.temperature,  top.at};
+  Results value, no_error = Results::Zero();
+  value << x.c0, 1 - x.c0, traction, x.creep_constant, x.creep, x.load_ratio, x.gamma0,
+      node_heat(x).sum(), top.temperature, top.at, 0;
+  add_eccentricity(value, no_error);
   Solution solution{scene, approach, value, std::nullopt, x, x.converged};
   solution.violations = violations(factors(x, scene.friction));
   return solution;
@@ -195,11 +186,11 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   CoupledSolution hot = found;
   hot.scene = x.scene;  // with heat, which the closed form leaves out
   const auto on = [&](int grid) { return largest(smooth_tractions(hot, grid), f); };
-  const bool closed = x.model == name_of(Model::closed_form);
-  const bool better = other > n && x.model == name_of(Model::coupled);
-  const Carter carter{f, 1 - half, half, found.value(border), found.value(creep)};
+  const bool closed = x.model == Model::closed_form;
+  const bool better = other > n && x.model == Model::coupled;
+  const Carter carter{f, 1 - half, half, found.value(stick_slip_border), found.value(creep)};
   const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
-  const double e = x.error->heat_integral / x.value.heat_integral;
+  const double e = (*x.error)(heat_integral) / x.value(heat_integral);
   const auto error = [&](double Peaks::*what) {
     return 2 * std::abs(changed.*what - own.*what) + e * own.*what;
   };
@@ -210,11 +201,11 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
 /// Results and peaks, or their errors, in SI units; without the sizes and Hertz's pressure.
 PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit, double speed) {
   PhysicalResults y{};
-  y.creep_ratio = x.creep * unit.slip / speed;
+  y.creep_ratio = x(creep) * unit.slip / speed;
   y.max_pressure = peak.pressure * unit.traction;
   y.max_traction = peak.traction * unit.traction;
   y.max_heat_flux = peak.heat_flux * unit.heat_flux;
-  y.max_temperature_celsius = x.max_temperature * unit.temperature;
+  y.max_temperature_celsius = x(max_temperature) * unit.temperature;
   return y;
 }
 
@@ -266,7 +257,8 @@ FoundPeaks peaks(const Solution& x) {
 FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius) {
   const Units unit = units_of(c, x.scene.friction);
   const FoundPeaks peak = peaks(x);
-  const double hertz = hertz_half_width(x.value.load_ratio * c.load, 1, c.shear_modulus, c.poisson);
+  const double hertz =
+      hertz_half_width(x.value(load_ratio) * c.load, 1, c.shear_modulus, c.poisson);
   FoundInSi y{converted(x.value, peak.value, unit, c.speed), std::nullopt};
   y.value.half_width = c.half_width;
   y.value.radius = c.half_width * c.half_width / (hertz * hertz);
@@ -274,7 +266,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius
   if (!x.error) return y;
   y.error = converted(*x.error, *peak.error, unit, c.speed);
   PhysicalResults& error = *y.error;
-  const double of_kappa = x.error->load_ratio / std::abs(x.value.load_ratio);
+  const double of_kappa = (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
   const double of_size = from_radius ? 5e-10 + of_kappa : 0;
   error.half_width = of_size * y.value.half_width;
   error.radius = (of_kappa + 2 * of_size) * y.value.radius;
@@ -304,8 +296,8 @@ double half_width_of_radius(PhysicalCase c, double radius, double friction, cons
     const double before = kappa;
     c.half_width = hertz_half_width(kappa * c.load, radius, c.shear_modulus, c.poisson);
     const Solution x = solve(scene_of(c, friction), given, approach);
-    kappa = x.value.load_ratio;
-    const double error = x.error ? x.error->load_ratio : 0;
+    kappa = x.value(load_ratio);
+    const double error = x.error ? (*x.error)(load_ratio) : 0;
     if (std::abs(kappa - before) <= 1e-9 * before + error) return c.half_width;
   }
   throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
@@ -319,7 +311,7 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
   }
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const Carter* closed = std::get_if<Carter>(&x.found);
-  const double flux_error = coupled ? x.error->max_temperature : 0;
+  const double flux_error = coupled ? (*x.error)(max_temperature) : 0;
   Curve curve;
   if (depth == 0) {
     const auto points = static_cast<Eigen::Index>(at.size());

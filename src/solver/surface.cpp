@@ -131,7 +131,7 @@ SmoothFlux smooth_flux(const Carter& c) {
 }
 
 SmoothFlux smooth_flux(const CoupledSolution& x) {
-  return {x.value(slip_length), 1 + x.value(border), x.h};
+  return {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border), x.h};
 }
 
 /// Estimated error of all temperatures, of which the largest is top, from what eight more nodes

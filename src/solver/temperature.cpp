@@ -44,7 +44,7 @@ Estimate total_heat(const HeatFlux& flux) {
   return integrate([&](double left) { return flux.density(left, length - left); }, {0, length});
 }
 
-Peak max_temperature(const HeatFlux& flux, double peclet) {
+Peak hottest_point(const HeatFlux& flux, double peclet) {
   constexpr int samples = 24;
   const auto at = [&](int i) { return flux.from + (flux.to - flux.from) * i / samples; };
   const auto cooler = [&](double s) { return -temperature(flux, peclet, s).value; };

@@ -80,13 +80,13 @@ Claims on_the_data() {
 }
 
 Claims on_the_temperature() {
-  const double top = paper::coupled(0.5, 5000).value(hottest);
+  const double top = paper::coupled(0.5, 5000).value(Quantity::max_temperature);
   Claims table{{"T*max at Q* = 0.5, Pe = 5000", "0.002", fixed(paper::scheme_max(0.5, 5000), 6),
                 fixed(top, 6), verdict_on("0.002", top)}};
   for (const auto& [pe, celsius] : {std::pair{5000, "272"}, {10000, "420"}, {15000, "490"}}) {
     const int speed = pe / 200;  // as the paper has it
     const double unit = celsius_per_unit(speed);
-    const double rise = unit * paper::coupled(0.5, pe).value(hottest);
+    const double rise = unit * paper::coupled(0.5, pe).value(Quantity::max_temperature);
     table.push_back({"largest temperature at Q* = 0.5, Pe = " + std::to_string(pe) + ", " +
                          std::to_string(speed) + " m/s, °C",
                      celsius, fixed(unit * paper::scheme_max(0.5, pe), 1), fixed(rise, 1),
@@ -101,7 +101,8 @@ Claim on_phases() {
     list += (list.empty() ? "" : ", ") + item;
   };
   for (const double q : paper::tractions) {
-    const double rise = celsius_per_unit(75) * paper::coupled(q, 15000).value(hottest);
+    const double rise =
+        celsius_per_unit(75) * paper::coupled(q, 15000).value(Quantity::max_temperature);
     add(rises, fixed(rise, 0));
     add(rise < 700 ? cold : hot, shortest(q));
   }
@@ -115,7 +116,8 @@ Claims on_variation(const std::vector<Case>& cases) {
     return published_max_temperature(x.fine, x.peclet).temperature;
   };
   const bool scheme = rises(cases, of_scheme);
-  const bool converged = rises(cases, [](const Case& x) { return x.coupled.value(hottest); });
+  const bool converged =
+      rises(cases, [](const Case& x) { return x.coupled.value(Quantity::max_temperature); });
   const double small = rolling_to_sliding(0.2), large = rolling_to_sliding(0.59);
   return {{"T* is higher at small Pe and at large Q*", "yes", yes(scheme), yes(converged),
            verdict(converged)},
@@ -153,12 +155,14 @@ Claims on_slip(const std::vector<Case>& cases) {
     return positive_behind(solution.c0, solution.grid.t, solution.slip);
   });
   const bool zero = every(cases, [](const Case& x) {
-    return zero_before(x.coupled.value(border), x.profile.s, x.profile.slip);
+    return zero_before(x.coupled.value(Quantity::stick_slip_border), x.profile.s, x.profile.slip);
   });
-  const bool sticks = every(
-      cases, [](const Case& x) { return below_the_limit(x.coupled.value(border), x.profile); });
+  const bool sticks = every(cases, [](const Case& x) {
+    return below_the_limit(x.coupled.value(Quantity::stick_slip_border), x.profile);
+  });
   const bool slips = every(cases, [](const Case& x) {
-    return positive_behind(x.coupled.value(border), x.profile.s, x.profile.slip);
+    return positive_behind(x.coupled.value(Quantity::stick_slip_border), x.profile.s,
+                           x.profile.slip);
   });
   return {
       {"v* is zero in the stick zone", "yes", yes(zero_scheme), yes(zero),
@@ -173,15 +177,15 @@ std::string gamma0_at(int nodes) {
 
 Claims on_deformation() {
   const CoupledSolution x = paper::coupled(0.5, paper::peclet);
-  const double change = 1 - x.value(load_ratio);
+  const double change = 1 - x.value(Quantity::load_ratio);
   const double seen = 1 - paper::scheme(0.5, paper::peclet).load_ratio;
-  const bool vanishes = std::abs(x.value(gamma0)) <= x.error(gamma0);
+  const bool vanishes = std::abs(x.value(Quantity::gamma0)) <= x.error(Quantity::gamma0);
   return {{"thermal deformation is negligible: 1 − κ at Pe = 4360", "small", fixed(seen, 5),
            fixed(change, 5),
            verdict(std::abs(change) < 0.01,
                    "though n = 200 sees " + fixed(100 * seen / change, 0) + " % of it")},
           {"γ0 tends to zero with n (at n = 50, 400)", "0", gamma0_at(50) + ", " + gamma0_at(400),
-           fixed(x.value(gamma0), 5), verdict(vanishes)}};
+           fixed(x.value(Quantity::gamma0), 5), verdict(vanishes)}};
 }
 
 /// Count a run of case x; returns the error of its T*max in per cent.
@@ -190,7 +194,7 @@ double count(Record& record, const Case& x, const PublishedSolution& run) {
   record.inner = std::max(record.inner, run.inner_iterations);
   record.converged = record.converged && run.converged;
   const double found = published_max_temperature(run, x.peclet).temperature;
-  return 100 * std::abs(found / x.coupled.value(hottest) - 1);
+  return 100 * std::abs(found / x.coupled.value(Quantity::max_temperature) - 1);
 }
 
 Record record_of(const std::vector<Case>& cases) {
@@ -253,8 +257,8 @@ double celsius_per_unit_at(double pe) { return celsius_per_unit(speed_at(pe)); }
 
 double rolling_to_sliding(double q) {
   const Carter c = paper::closed_form(q);
-  return max_temperature(carter_flux(c), 1000).temperature.value /
-         max_temperature(sliding_flux(carter_heat(c)), 1000).temperature.value;
+  return hottest_point(carter_flux(c), 1000).temperature.value /
+         hottest_point(sliding_flux(carter_heat(c)), 1000).temperature.value;
 }
 
 Record scheme_record() { return record_of(sixteen_cases()); }

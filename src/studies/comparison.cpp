@@ -39,17 +39,18 @@ Found cached(const Scene& scene, int nodes, NodeKernel kernel) {
 }
 
 Found found(const CoupledSolution& x) {
-  return {x.value(load_ratio), x.value(hottest), x.value(creep), x.unknowns};
+  return {x.value(Quantity::load_ratio), x.value(Quantity::max_temperature),
+          x.value(Quantity::creep), x.unknowns};
 }
 
 Found coupled_to(const Scene& scene, double tolerance) try {
-  return found(solve_coupled(scene, sign, tolerance, {traction, pull}));
+  return found(solve_coupled(scene, sign, tolerance, {Quantity::traction, pull}));
 } catch (const std::runtime_error&) {  // not resolved
   return {nan, nan, nan};
 }
 
 Found corrected_once(const Scene& scene) {
-  return found(first_order(scene, sign, 1e-6, {traction, pull}));
+  return found(first_order(scene, sign, 1e-6, {Quantity::traction, pull}));
 }
 
 Found without_heat(const Scene& scene) { return {1, nan, carter(scene.friction, pull).creep}; }
@@ -126,14 +127,15 @@ Found reference(const Regime& regime) {
 CarterErrors carter_errors() {
   const Carter exact = carter(0.3, 0.192);  // 1 - 0.6^2 = 0.64 of the friction
   const Scene scene{0.3, 1, 0};
-  const CoupledSolution at_creep = solve_coupled(scene, sign, 1e-6, {creep, exact.creep});
-  const CoupledSolution at_force = solve_coupled(scene, sign, 1e-6, {traction, 0.192});
+  const CoupledSolution at_creep = solve_coupled(scene, sign, 1e-6, {Quantity::creep, exact.creep});
+  const CoupledSolution at_force = solve_coupled(scene, sign, 1e-6, {Quantity::traction, 0.192});
   const Profile x = profile(at_creep);
   double worst = 0;
   for (Eigen::Index i = 0; i < x.s.size(); ++i)
     worst = std::max(worst, std::abs(x.traction(i) - carter_traction(exact, x.s(i))));
-  return {at_creep.unknowns, std::abs(at_creep.value(traction) / 0.192 - 1),
-          std::abs(at_force.value(creep) / exact.creep - 1), worst / (0.3 * hertz_pressure(0))};
+  return {at_creep.unknowns, std::abs(at_creep.value(Quantity::traction) / 0.192 - 1),
+          std::abs(at_force.value(Quantity::creep) / exact.creep - 1),
+          worst / (0.3 * hertz_pressure(0))};
 }
 
 double jaeger_band(double peclet, double s) {
@@ -144,7 +146,7 @@ double jaeger_band(double peclet, double s) {
 }
 
 double blok_factor(double peclet) {
-  return 2 * std::sqrt(peclet) * max_temperature(sliding_flux(1), peclet).temperature.value;
+  return 2 * std::sqrt(peclet) * hottest_point(sliding_flux(1), peclet).temperature.value;
 }
 
 }  // namespace thermoroll

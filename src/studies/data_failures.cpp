@@ -128,7 +128,7 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
   for (Sample x : random_scenes(count)) {
     x.scene.heating *= 10;
-    const Prescribed given{traction, x.traction};
+    const Prescribed given{Quantity::traction, x.traction};
     const Outcome found =
         outcome([&] { return solve_coupled(x.scene, x.formulation, 1e-3, given); });
     refused += found == Outcome::refused ? 1 : 0;
@@ -152,7 +152,7 @@ std::array<int, 3> survivors(Formulation formulation, double heating) {
     for (const double share : {1e-12, 0.5, 1 - 1e-12}) {
       const double f = paper::friction;
       const Scene scene{f, std::pow(10, decade), heating};
-      const Prescribed given{traction, f * share};
+      const Prescribed given{Quantity::traction, f * share};
       const Outcome found = outcome([&] { return solve_coupled(scene, formulation, 1e-3, given); });
       ++count[static_cast<std::size_t>(found)];
     }
@@ -178,8 +178,8 @@ void ends(std::ostream& out) {
   for (const double speed : grid(-3, 8, 33)) {
     const double peclet = std::pow(10, speed);
     const Scene scene{paper::friction, peclet, 0};
-    const double top =
-        solve_coupled(scene, Formulation::corrected, 1e-9, {traction, 0.5}).value(hottest);
+    const double top = solve_coupled(scene, Formulation::corrected, 1e-9, {Quantity::traction, 0.5})
+                           .value(Quantity::max_temperature);
     row(out, peclet, std::abs(fast / std::sqrt(peclet) / top - 1),
         std::abs(hottest_when_slow(flux, peclet) / top - 1));
   }

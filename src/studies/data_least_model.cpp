@@ -23,8 +23,9 @@ double most_heating(const Rung& rung, double peclet, double tolerance) {
   while (high > 1.01 * low) {
     const double middle = std::sqrt(low * high);
     const Scene scene{paper::friction, peclet, middle};
-    const auto x = rung(scene, Formulation::corrected, tolerance, Prescribed{traction, 0.5});
-    (x.error(load_ratio) <= tolerance ? low : high) = middle;
+    const auto x =
+        rung(scene, Formulation::corrected, tolerance, Prescribed{Quantity::traction, 0.5});
+    (x.error(Quantity::load_ratio) <= tolerance ? low : high) = middle;
   }
   return low;
 }
@@ -50,7 +51,7 @@ struct Trial {
 };
 
 Trial try_ladder(const Sample& x, double tolerance) {
-  const Prescribed given{traction, x.traction};
+  const Prescribed given{Quantity::traction, x.traction};
   try {
     const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
     const CoupledSolution better = solve_coupled(x.scene, x.formulation, tolerance / 10, given);
@@ -101,7 +102,7 @@ const FigureData random_scenes_data{"random-scenes", rungs_of_random_scenes};
 
 void values_on_least_model(nlohmann::ordered_json& v) {
   const Scene scene{paper::friction, paper::peclet, paper::heating};
-  const Prescribed given{traction, 0.5};
+  const Prescribed given{Quantity::traction, 0.5};
   const auto model = [&](double tolerance) {
     const char* const names[] = {"closed form", "first order in the heat", "coupled"};
     const Choice x = least_model(scene, Formulation::corrected, tolerance, given);

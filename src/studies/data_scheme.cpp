@@ -15,8 +15,8 @@ void share_found(std::ostream& out) {
       const Scene scene = paper::scene(pe);
       const auto x = solve_cached(scene, 0.5, paper::formulation, NodeKernel::sample, {n});
       const double top = cached_max_temperature(x, pe, NodeKernel::sample).temperature;
-      row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(load_ratio)),
-          top / exact.value(hottest));
+      row(out, pe, n, (1 - x.load_ratio) / (1 - exact.value(Quantity::load_ratio)),
+          top / exact.value(Quantity::max_temperature));
     }
   }
 }
@@ -32,8 +32,9 @@ void resolution(std::ostream& out) {
         fixed(top, 6), x.outer_iterations, x.inner_iterations);
   }
   const CoupledSolution x = paper::coupled(0.5, paper::peclet);
-  row(out, "**coupled**", fixed(x.value(border), 6), scientific(1 - x.value(load_ratio), 2),
-      scientific(x.value(gamma0), 2), fixed(x.value(hottest), 6), "–", "–");
+  row(out, "**coupled**", fixed(x.value(Quantity::stick_slip_border), 6),
+      scientific(1 - x.value(Quantity::load_ratio), 2), scientific(x.value(Quantity::gamma0), 2),
+      fixed(x.value(Quantity::max_temperature), 6), "–", "–");
 }
 
 const FigureData resolution_data{"resolution", resolution};

@@ -69,7 +69,7 @@ void celsius_of_speed(std::ostream& out) {
   row(out, "kind", "speed", "celsius");
   for (const double pe : grid(1000, 17000, 32))
     row(out, "converged", speed_at(pe),
-        celsius_per_unit_at(pe) * paper::coupled(0.5, pe).value(hottest));
+        celsius_per_unit_at(pe) * paper::coupled(0.5, pe).value(Quantity::max_temperature));
   for (const double u : grid(0, 1, 44)) row(out, "law", 88 * u * u, 272 * std::sqrt(88.0 / 25) * u);
   for (const double pe : {5000.0, 10000.0, 15000.0})
     row(out, "scheme", speed_at(pe), celsius_per_unit_at(pe) * paper::scheme_max(0.5, pe));
@@ -83,7 +83,7 @@ void bands(std::ostream& out) {
   row(out, "band", "$\\mathrm{Pe}$", "known", "here");
   const HeatFlux uniform{-1, 1, [](double, double) { return 1; }};
   for (const double pe : {0.1, 1.0, 10.0, 100.0, 5000.0}) {
-    const Peak top = max_temperature(uniform, pe);
+    const Peak top = hottest_point(uniform, pe);
     row(out, "uniform", pe, fixed(jaeger_band(pe, top.at), 9), fixed(top.temperature.value, 9));
   }
   row(out, "semi-elliptic", "∞", "1.11", fixed(blok_factor(1e8), 4));

@@ -35,30 +35,31 @@ void values_of_steel(nlohmann::ordered_json& v) {
 
 CoupledSolution corrected(double q) {
   const Scene scene = paper::scene(paper::peclet);
-  return solve_coupled(scene, Formulation::corrected, 1e-8, {traction, q});
+  return solve_coupled(scene, Formulation::corrected, 1e-8, {Quantity::traction, q});
 }
 
 void values_with_heat(nlohmann::ordered_json& v) {
   const Carter cold = paper::closed_form(0.5);
   const CoupledSolution printed = paper::coupled(0.5, paper::peclet), other = corrected(0.5);
-  v["steel_creep"] = fixed(printed.value(creep), 4);
-  v["steel_creep_difference"] = fixed(paper::friction * std::abs(printed.value(gamma0)), 4);
-  v["steel_eccentricity"] = fixed(std::abs(printed.eccentricity), 4);
-  v["corrected_kappa"] = fixed(1 - other.value(load_ratio), 5);
+  v["steel_creep"] = fixed(printed.value(Quantity::creep), 4);
+  v["steel_creep_difference"] =
+      fixed(paper::friction * std::abs(printed.value(Quantity::gamma0)), 4);
+  v["steel_eccentricity"] = fixed(std::abs(printed.value(Quantity::eccentricity)), 4);
+  v["corrected_kappa"] = fixed(1 - other.value(Quantity::load_ratio), 5);
   for (const auto& [name, x] : {std::pair{"steel", printed}, {"corrected", other}}) {
     const auto change = [&, &x = x](Quantity what) {
       return fixed(100 * std::abs(x.value(what) / cold.creep - 1), 2);
     };
-    v[std::string(name) + "_border"] = fixed(x.value(border), 4);
-    v[std::string(name) + "_constant_change"] = change(creep_constant);
-    v[std::string(name) + "_creep_change"] = change(creep);
+    v[std::string(name) + "_border"] = fixed(x.value(Quantity::stick_slip_border), 4);
+    v[std::string(name) + "_constant_change"] = change(Quantity::creep_constant);
+    v[std::string(name) + "_creep_change"] = change(Quantity::creep);
   }
 }
 
 void values_of_the_largest_temperature(nlohmann::ordered_json& v) {
-  const Peak top = max_temperature(carter_flux(paper::closed_form(0.5)), 5000);
+  const Peak top = hottest_point(carter_flux(paper::closed_form(0.5)), 5000);
   const double printed = paper::scheme_max(0.5, 5000);
-  const double coupled = paper::coupled(0.5, 5000).value(hottest);
+  const double coupled = paper::coupled(0.5, 5000).value(Quantity::max_temperature);
   v["tmax_5000"] = fixed(top.temperature.value, 7);
   v["tmax_5000_at"] = fixed(top.at, 4);
   v["tmax_5000_coupled"] = fixed(coupled, 5);
@@ -71,7 +72,7 @@ void values_of_the_largest_temperature(nlohmann::ordered_json& v) {
 void values_in_degrees(nlohmann::ordered_json& v) {
   double worst = 0;
   for (const auto& [pe, celsius] : {std::pair{5000, 272}, {10000, 420}, {15000, 490}}) {
-    const double hot = paper::coupled(0.5, pe).value(hottest);
+    const double hot = paper::coupled(0.5, pe).value(Quantity::max_temperature);
     const double rounded = hot * celsius_per_unit(pe / 200.0);
     v["celsius_" + std::to_string(pe)] = fixed(hot * celsius_per_unit_at(pe), 0);
     v["celsius_" + std::to_string(pe) + "_rounded"] = fixed(rounded, 0);
@@ -85,7 +86,7 @@ void values_in_degrees(nlohmann::ordered_json& v) {
 }
 
 void values_of_the_nodes(nlohmann::ordered_json& v) {
-  const double exact = paper::coupled(0.5, paper::peclet).value(hottest);
+  const double exact = paper::coupled(0.5, paper::peclet).value(Quantity::max_temperature);
   const auto rule_error = [&](int nodes) {
     return fixed(100 * (1 - paper::scheme_max(0.5, paper::peclet, {nodes}) / exact), 1);
   };
@@ -101,11 +102,11 @@ void values_of_the_load_ratio(nlohmann::ordered_json& v) {
   const auto loss = [](int nodes) {
     return 1 - paper::scheme(0.5, paper::peclet, {nodes}).load_ratio;
   };
-  const double kappa_coupled = 1 - paper::coupled(0.5, paper::peclet).value(load_ratio);
+  const double kappa_coupled = 1 - paper::coupled(0.5, paper::peclet).value(Quantity::load_ratio);
   double largest = 0, largest_corrected = 0;
   for (const double q : paper::tractions) {
-    largest = std::max(largest, 1 - paper::coupled(q, paper::peclet).value(load_ratio));
-    largest_corrected = std::max(largest_corrected, corrected(q).value(load_ratio) - 1);
+    largest = std::max(largest, 1 - paper::coupled(q, paper::peclet).value(Quantity::load_ratio));
+    largest_corrected = std::max(largest_corrected, corrected(q).value(Quantity::load_ratio) - 1);
   }
   v["kappa_printed"] = fixed(loss(200), 5);
   v["kappa_coupled"] = fixed(kappa_coupled, 5);
@@ -119,8 +120,9 @@ void values_of_the_load_ratio(nlohmann::ordered_json& v) {
 
 void values_to_first_order(nlohmann::ordered_json& v) {
   const CoupledSolution x = paper::coupled(0.5, paper::peclet);
-  const double kappa = 1 - x.value(load_ratio), kappa_first = first_order_load_change(0.5);
-  const double gamma = x.value(gamma0), gamma_first = first_order_gamma0(0.5);
+  const double kappa = 1 - x.value(Quantity::load_ratio),
+               kappa_first = first_order_load_change(0.5);
+  const double gamma = x.value(Quantity::gamma0), gamma_first = first_order_gamma0(0.5);
   v["gamma_coupled"] = fixed(gamma, 5);
   v["gamma_first_order"] = fixed(gamma_first, 5);
   v["gamma_first_order_error"] = fixed(100 * (gamma_first / gamma - 1), 0);

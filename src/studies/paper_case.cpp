@@ -16,7 +16,7 @@ double scheme_max(double q, double pe, const PublishedOptions& options) {
 }
 
 CoupledSolution coupled(double q, double pe) {
-  return solve_coupled(scene(pe), formulation, 1e-8, {traction, q});
+  return solve_coupled(scene(pe), formulation, 1e-8, {Quantity::traction, q});
 }
 
 }  // namespace thermoroll::paper

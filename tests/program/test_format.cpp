@@ -59,7 +59,7 @@ TEST(Output, CountsAreThoseOfTheSolution) {
 // An error is rounded to one digit, by at most a third: 1.5 may become 2.
 TEST(Output, TextHasTheErrorsOfTheSolution) {
   const PhysicalCase c = wheel_on_rail();
-  const Solution x = thermoroll::solve(scene_of(c, 0.6), {thermoroll::traction, 0.5});
+  const Solution x = thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5});
   const FoundInSi si = in_si_units(x, c);
   const std::string text = present(x, si, Format::text);
   const auto expect_error = [&](const char* name, std::size_t column, double error) {
@@ -67,10 +67,10 @@ TEST(Output, TextHasTheErrorsOfTheSolution) {
     ASSERT_GT(words.size(), column) << name;
     EXPECT_NEAR(std::stod(words[column]) / error, 1, 0.34) << name;
   };
-  expect_error("stick_slip_border", 3, x.error->stick_slip_border);
-  expect_error("creep", 3, x.error->creep);
-  expect_error("load_ratio", 3, x.error->load_ratio);
-  expect_error("max_temperature", 3, x.error->max_temperature);
+  expect_error("stick_slip_border", 3, (*x.error)(stick_slip_border));
+  expect_error("creep", 3, (*x.error)(creep));
+  expect_error("load_ratio", 3, (*x.error)(load_ratio));
+  expect_error("max_temperature", 3, (*x.error)(max_temperature));
   expect_error("radius", 3, si.error->radius);
   expect_error("max_pressure", 4, si.error->max_pressure);
   expect_error("max_traction", 4, si.error->max_traction);
@@ -115,7 +115,7 @@ TEST(Output, QuotedCellsReadBack) {
 TEST(Output, NoResultThatIsNotFinite) {
   const PhysicalCase c = wheel_on_rail();
   const Solution x =
-      thermoroll::solve(scene_of(c, 0.6), {thermoroll::traction, 0.5}, {Method::closed_form});
+      thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5}, {Method::closed_form});
   FoundInSi value = in_si_units(x, c), error = value;
   value.value.max_traction = error.error->max_traction = std::nan("");
   for (const FoundInSi& si : {value, error}) try {

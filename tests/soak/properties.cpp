@@ -71,18 +71,18 @@ CoupledSolution solve(const Sample& x, double given) {
 
 /// What is said of a solution must be numbers, keep the tolerance and fit together.
 void examine_results(const Record& record, const Sample& x, const CoupledSolution& found) {
-  const Values &v = found.value, &e = found.error;
+  const Results &v = found.value, &e = found.error;
   record.require("all results are finite", v.allFinite() && e.allFinite());
   record.require("errors are positive", (e >= 0).all());
-  for (const Quantity q : {border, traction, load_ratio, gamma0})
+  for (const Quantity q : {stick_slip_border, traction, load_ratio, gamma0})
     record.within("errors keep the tolerance", e(q), x.tolerance);
   for (const Quantity q : {creep_constant, creep, heat, hottest})
     record.within("errors keep the tolerance", e(q), x.tolerance * std::abs(v(q)) * (1 + 1e-12));
   const Quantity given = x.given.quantity;
   record.within("what is given comes out", v(given) - x.given.value, std::max(e(given), 1e-15));
-  record.require("the border is in the contact", std::abs(v(border)) < 1);
+  record.require("the border is in the contact", std::abs(v(stick_slip_border)) < 1);
   record.require("heat, temperature and load ratio are positive",
-                 v(heat) > 0 && v(hottest) > 0 && v(load_ratio) > 0);
+                 v(heat_integral) > 0 && v(max_temperature) > 0 && v(load_ratio) > 0);
   // C = xi* + f gamma0; each is a sum of about a hundred terms of its own size or that of f kappa.
   const double f = x.scene.friction;
   record.within("the creep belongs to its constant", v(creep_constant) - v(creep) - f * v(gamma0),
@@ -99,11 +99,11 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
 /// Without heat the solution is Carter's, but for a few roundings.
 void examine_without_heat(const Record& record, const Sample& x, const CoupledSolution& found) {
   if (x.scene.heating > 0) return;
-  const Values closed = carter_values(carter_given(x.scene.friction, x.given));
-  const Values scale = scale_of(closed);
+  const Results closed = carter_values(carter_given(x.scene.friction, x.given));
+  const Results scale = scale_of(closed);
   for (int i = 0; i < hottest; ++i)
-    record.within("without heat it is the closed form", found.value(i) - closed(i),
-                  found.error(i) + 1e-15 * scale(i));
+    record.within("without heat it is the closed form", found.value[i] - closed[i],
+                  found.error[i] + 1e-15 * scale[i]);
 }
 
 /// A lesser model is off by no more than it says. The coupled solution's own error counts tenfold,
@@ -111,10 +111,10 @@ void examine_without_heat(const Record& record, const Sample& x, const CoupledSo
 void examine_least_model(const Record& record, const Sample& x, const CoupledSolution& found) {
   const Choice least = least_model(x.scene, x.formulation, x.tolerance, x.given);
   if (least.model == Model::coupled) return record.beside("the least model", "is the coupled one");
-  const Values off = (least.solution.value - found.value).abs();
-  const Values allowed = least.solution.error + 10 * found.error + 1e-15 * scale_of(found.value);
-  for (int i = 0; i <= hottest; ++i)
-    record.within("a lesser model is as good as it says", off(i), allowed(i));
+  const Results off = (least.solution.value - found.value).abs();
+  const Results allowed = least.solution.error + 10 * found.error + 1e-15 * scale_of(found.value);
+  for (int i = 0; i < compared; ++i)
+    record.within("a lesser model is as good as it says", off[i], allowed[i]);
 }
 
 Solution solve_to(const Sample& x, double tolerance) {
@@ -146,7 +146,7 @@ std::vector<Pair> pairs(const Sample& x, const Solution& found, const Solution& 
              &b = std::get<CoupledSolution>(exact.found);
   std::vector<Pair> all;
   for (int i = 0; i < quantities; ++i)
-    if (i != x.given.quantity) all.push_back({a.value(i), a.error(i), b.value(i), b.error(i)});
+    if (i != x.given.quantity) all.push_back({a.value[i], a.error[i], b.value[i], b.error[i]});
   const FoundPeaks p = peaks(found), q = peaks(exact);
   for (double Peaks::*of : {&Peaks::pressure, &Peaks::traction, &Peaks::heat_flux})
     all.push_back({p.value.*of, (*p.error).*of, q.value.*of, (*q.error).*of});
@@ -170,16 +170,16 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
   record.within("no error is ten times its estimate", excess, 10);
   record.compared(x.tolerance, excess);
   const auto& best = std::get<CoupledSolution>(exact.found);
-  const Values off = (coupled.value - best.value).abs(), scale = scale_of(best.value);
-  for (int i = 0; i <= hottest; ++i)
-    record.within("the tolerance is kept", off(i), x.tolerance * scale(i) + best.error(i));
+  const Results off = (coupled.value - best.value).abs(), scale = scale_of(best.value);
+  for (int i = 0; i < compared; ++i)
+    record.within("the tolerance is kept", off[i], x.tolerance * scale[i] + best.error[i]);
   // Heat that bends the profile more than the load does can leave no contact; what is said of that
   // is of the scene and not of a grid.
   record.require("a finer solution is as much of a contact",
                  coupled.violations.empty() == best.violations.empty());
 }
 
-bool same_bits(const Values& a, const Values& b) {
+bool same_bits(const Results& a, const Results& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * quantities) == 0;
 }
 
@@ -189,14 +189,14 @@ void examine_again(const Record& record, const Sample& x, const CoupledSolution&
   record.require("once more gives the same bits", same_bits(found.value, again.value) &&
                                                       same_bits(found.error, again.error) &&
                                                       found.h == again.h);
-  if (x.given.quantity == border) return;
+  if (x.given.quantity == stick_slip_border) return;
   const double most = x.given.quantity == traction ? x.scene.friction : 2 * x.scene.friction / pi;
   const double given = x.given.value, less = given - 0.05 * std::min(given, most - given);
   try {
     const CoupledSolution other = solve(x, less);
     record.require(
         "less traction or creep, more stick",
-        other.value(border) + other.error(border) + found.error(border) >= found.value(border));
+        other.value(stick_slip_border) + other.error(stick_slip_border) + found.error(stick_slip_border) >= found.value(stick_slip_border));
   } catch (const std::runtime_error& error) {
     record.beside("a neighbour", words_of(error.what()));
   }
@@ -256,7 +256,7 @@ struct Tractions {
   ArrayXd pressure, pull, flux;  // on the stick zone, then on the slip zone; flux on the latter
 };
 Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Profile& y) {
-  const double slip = found.value(slip_length), c0 = found.value(border), f = x.scene.friction;
+  const double slip = found.value(slip_length), c0 = found.value(stick_slip_border), f = x.scene.friction;
   const Index n = found.unknowns, m = y.s.size() - n;
   Tractions z{zone(m, [&](const GaussLegendre& r) { return stick_places(1 + c0, slip, r); }),
               zone(n, [&](const GaussLegendre& r) { return slip_places(slip, r); }),
@@ -301,14 +301,14 @@ void examine_profile(const Record& record, const CoupledSolution& found, const P
   // pressure carries the load for any h. What depends on h moves with it less than a result of
   // order one with the border: Carter's heat over (1 - c0)^2 by half of it.
   const double errors = found.unknowns > 200 ? 20 : 5;
-  const Values &v = found.value, &e = found.error;
+  const Results &v = found.value, &e = found.error;
   record.within("the pressure carries the load", integral(z, z.pressure) - 1, e(load_ratio));
   record.within("the traction carries the pull", integral(z, z.pull) - v(traction),
                 errors * e(traction));
-  record.within("the flux carries the heat", (z.slip.fine.ds * z.flux).sum() - v(heat),
-                errors * e(heat));
+  record.within("the flux carries the heat", (z.slip.fine.ds * z.flux).sum() - v(heat_integral),
+                errors * e(heat_integral));
   record.within("no point is hotter than the hottest",
-                std::max(0.0, y.temperature.maxCoeff() - v(hottest)), errors * e(hottest));
+                std::max(0.0, y.temperature.maxCoeff() - v(max_temperature)), errors * e(max_temperature));
 }
 
 /// The strain by heat at s, without its factor f Pe H / pi: the integral of N2 with the flux.
@@ -343,17 +343,17 @@ void examine_energy(const Record& record, const Sample& x, const CoupledSolution
   }
   ArrayXd everywhere(z.pull.size());
   everywhere << z.stick.values * strains.head(m).reverse(), z.slip.values * strains.tail(n);
-  const Values &v = found.value, &e = found.error;
+  const Results &v = found.value, &e = found.error;
   const double q = v(traction);
   const double lost = f * peclet * heating / pi * integral(z, z.pull * everywhere);
-  const double allowed = f * e(heat) + q * e(creep) + std::abs(lost) * e(heat) / v(heat);
-  record.within("the energy balances", f * v(heat) - v(creep) * q + lost, 5 * allowed);
+  const double allowed = f * e(heat_integral) + q * e(creep) + std::abs(lost) * e(heat_integral) / v(heat_integral);
+  record.within("the energy balances", f * v(heat_integral) - v(creep) * q + lost, 5 * allowed);
 }
 
 }  // namespace
 
 std::string text(const Sample& x) {
-  const bool by_creep = x.given.quantity == creep, by_border = x.given.quantity == border;
+  const bool by_creep = x.given.quantity == creep, by_border = x.given.quantity == stick_slip_border;
   return "--friction " + shortest(x.scene.friction) +
          (by_creep    ? " --creep "
           : by_border ? " --stick-slip-border "
@@ -375,7 +375,7 @@ static Prescribed spread_given(Random& random, double friction, double share) {
   const double root = std::sqrt(1 - share), slip_half_width = share / (1 + root);
   if (!random.one_of(3)) return {traction, share * friction};
   if (random.one_of(2)) return {creep, 2 * friction / pi * slip_half_width};
-  return {border, share < 0.5 ? 1 - 2 * slip_half_width : 2 * root - 1};
+  return {stick_slip_border, share < 0.5 ? 1 - 2 * slip_half_width : 2 * root - 1};
 }
 
 Sample sample(std::uint64_t seed, std::uint64_t number) {

@@ -24,7 +24,7 @@ using thermoroll::CoupledSolution;
 using thermoroll::Formulation;
 using thermoroll::Model;
 using thermoroll::Prescribed;
-using thermoroll::Values;
+using thermoroll::Results;
 
 // The sanitizers need not see every scene.
 #ifdef NDEBUG
@@ -39,13 +39,13 @@ constexpr Formulation both[] = {Formulation::printed, Formulation::corrected};
 // The difference of two solutions in units of what the tolerance is relative to; the place of the
 // hottest point has a tolerance of its own.
 double apart(const CoupledSolution& x, const CoupledSolution& y) {
-  const Values off = (x.value - y.value).abs() / thermoroll::scale_of(y.value);
-  return off.head(thermoroll::hottest + 1).maxCoeff();
+  const Results off = (x.value - y.value).abs() / thermoroll::scale_of(y.value);
+  return off.head(thermoroll::compared).maxCoeff();
 }
 
 CoupledSolution better(const Driven& scene, Formulation formulation, double tolerance) {
   return thermoroll::solve_coupled(scene, formulation, tolerance,
-                                   {thermoroll::traction, scene.traction});
+                                   {Quantity::traction, scene.traction});
 }
 
 // Scenes of the ranges of @tbl:random-scenes, by a seed.
@@ -87,15 +87,15 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
       const Driven scene{0.6, 0.6 * share, peclet, 0};
       const thermoroll::HeatFlux flux =
           thermoroll::carter_flux(thermoroll::carter(0.6, scene.traction));
-      const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
+      const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
       for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
         SCOPED_TRACE(text(scene) + ", tolerance " + std::to_string(tolerance));
         const CoupledSolution x = thermoroll::closed_form(scene, Formulation::corrected, tolerance,
-                                                          {thermoroll::traction, scene.traction});
-        EXPECT_TRUE(close(x.value(thermoroll::hottest) / peak.temperature.value, 1,
+                                                          {Quantity::traction, scene.traction});
+        EXPECT_TRUE(close(x.value(Quantity::max_temperature) / peak.temperature.value, 1,
                           0.1 * tolerance + 2e-9));
-        EXPECT_TRUE(close(x.value(thermoroll::hottest_at), peak.at,
-                          x.error(thermoroll::hottest_at) + peak.at_error));
+        EXPECT_TRUE(close(x.value(Quantity::max_temperature_at), peak.at,
+                          x.error(Quantity::max_temperature_at) + peak.at_error));
       }
     }
 }
@@ -120,10 +120,10 @@ TEST(LeastModel, ClimbsFromAnywhere) {
   const double f = 0.054926506659698594, q = 4.062535721915226e-10;
   const Driven scene{f, q, 4302.672662329718, 0};
   const auto x =
-      thermoroll::closed_form(scene, Formulation::corrected, 1e-4, {thermoroll::traction, q});
+      thermoroll::closed_form(scene, Formulation::corrected, 1e-4, {Quantity::traction, q});
   const auto peak =
-      thermoroll::max_temperature(thermoroll::carter_flux(thermoroll::carter(f, q)), scene.peclet);
-  EXPECT_TRUE(close(x.value(thermoroll::hottest) / peak.temperature.value, 1, 1e-5));
+      thermoroll::hottest_point(thermoroll::carter_flux(thermoroll::carter(f, q)), scene.peclet);
+  EXPECT_TRUE(close(x.value(Quantity::max_temperature) / peak.temperature.value, 1, 1e-5));
 }
 
 // The corrected temperature has no limit to lean on: with hardly any heat it is Carter's, by rays
@@ -133,10 +133,10 @@ TEST(LeastModel, TemperatureOfTheFirstOrder) {
     for (const double share : {1e-3, 0.8, 1 - 1e-9})
       for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
         const Driven scene{0.6, 0.6 * share, peclet, 1e-12};
-        const Prescribed given{thermoroll::traction, scene.traction};
+        const Prescribed given{Quantity::traction, scene.traction};
         const auto exact = thermoroll::closed_form(scene, Formulation::corrected, 1e-11, given);
         const auto x = thermoroll::first_order(scene, Formulation::corrected, tolerance, given);
-        EXPECT_TRUE(close(x.value(thermoroll::hottest) / exact.value(thermoroll::hottest), 1,
+        EXPECT_TRUE(close(x.value(Quantity::max_temperature) / exact.value(Quantity::max_temperature), 1,
                           0.1 * tolerance + 1e-9))
             << text(scene) << ", tolerance " << tolerance;
       }
@@ -148,13 +148,13 @@ TEST(LeastModel, FirstOrderAtTheEndsOfTheRange) {
     for (const double peclet : {1e2, 1e5, 5e7})
       for (const double share : {1e-4, 1e-6, 1e-8, 1e-10, 1 - 1e-9}) {
         Driven scene{0.6, 0.6 * share, peclet, 1};
-        const Prescribed given{thermoroll::traction, scene.traction};
+        const Prescribed given{Quantity::traction, scene.traction};
         scene.heating =
             3e-3 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
         const auto x = thermoroll::first_order(scene, formulation, 1e-6, given);
         const CoupledSolution exact = better(scene, formulation, 1e-8);
-        const Values off = (x.value - exact.value).abs() / (x.error + exact.error);
-        EXPECT_LE(off.head(thermoroll::hottest + 1).maxCoeff(), 1) << text(scene);
+        const Results off = (x.value - exact.value).abs() / (x.error + exact.error);
+        EXPECT_LE(off.head(thermoroll::compared).maxCoeff(), 1) << text(scene);
       }
 }
 
@@ -167,7 +167,7 @@ TEST(LeastModel, FirstOrderIsOfSecondOrder) {
       for (const bool less : {false, true}) {
         const Driven scene{0.6, 0.4, peclet, less ? 0.01 : 0.1};
         const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-10,
-                                                          {thermoroll::traction, scene.traction});
+                                                          {Quantity::traction, scene.traction});
         error[less] = apart(x, better(scene, formulation, 1e-10));
       }
       EXPECT_GT(error[0], 1e-5) << "or it proves nothing";
@@ -179,7 +179,7 @@ TEST(LeastModel, FirstOrderIsOfSecondOrder) {
 TEST(LeastModel, WithoutHeatAllRungsAgree) {
   for (const double share : {0.01, 0.5, 0.99}) {
     const Driven scene{0.6, 0.6 * share, 100, 0};
-    const Prescribed given{thermoroll::traction, scene.traction};
+    const Prescribed given{Quantity::traction, scene.traction};
     const CoupledSolution exact = better(scene, Formulation::corrected, 1e-9);
     EXPECT_LT(apart(thermoroll::closed_form(scene, Formulation::corrected, 1e-9, given), exact),
               1e-9);
@@ -196,17 +196,17 @@ TEST(LeastModel, WithoutHeatAllRungsAgree) {
 TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
   for (double less = 0.25; less > 1e-12; less /= 10)
     for (const double share : {less, 1 - less})
-      for (const auto quantity : {thermoroll::traction, thermoroll::creep, thermoroll::border}) {
+      for (const auto quantity : {Quantity::traction, Quantity::creep, Quantity::stick_slip_border}) {
         const double f = 0.6;
         const thermoroll::Carter c = thermoroll::carter(f, f * share);
         const Prescribed given{quantity, thermoroll::carter_values(c)(quantity)};
-        if (quantity == thermoroll::creep && given.value >= 2 * f / thermoroll::pi) continue;
+        if (quantity == Quantity::creep && given.value >= 2 * f / thermoroll::pi) continue;
         const thermoroll::Carter exact = thermoroll::carter_given(f, given);
-        const Values closed = thermoroll::carter_values(exact);
-        const Values scale = thermoroll::scale_of(closed);
+        const Results closed = thermoroll::carter_values(exact);
+        const Results scale = thermoroll::scale_of(closed);
         const double of_given =
             thermoroll::rounding(given, thermoroll::carter_slope(exact, quantity), scale);
-        const Values own = scale * (of_given + 4 * std::numeric_limits<double>::epsilon());
+        const Results own = scale * (of_given + 4 * std::numeric_limits<double>::epsilon());
         const Driven scene{f, f / 2, 3, 0};
         for (const double tolerance : {1e-3, 1e-6}) {
           const CoupledSolution solutions[] = {
@@ -215,8 +215,8 @@ TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
               thermoroll::solve_coupled(scene, Formulation::corrected, tolerance, given),
               thermoroll::least_model(scene, Formulation::corrected, tolerance, given).solution};
           for (int k = 0; k < 4; ++k)
-            for (int i = 0; i < thermoroll::hottest; ++i)
-              EXPECT_TRUE(close(solutions[k].value(i), closed(i), solutions[k].error(i) + own(i)))
+            for (int i = 0; i + 1 < thermoroll::compared; ++i)
+              EXPECT_TRUE(close(solutions[k].value[i], closed[i], solutions[k].error[i] + own(i)))
                   << "rung " << k << ", quantity " << i << ", given " << quantity << " = "
                   << std::scientific << given.value << " at share " << share << ", tolerance "
                   << tolerance;
@@ -231,15 +231,15 @@ TEST(LeastModel, FirstOrderErrorIsHonest) {
   for (int i = 0; i < 60 * thorough; ++i) {
     const Driven scene = scenes.next();
     const Formulation formulation = both[i % 2];
-    const Prescribed given{thermoroll::traction, scene.traction};
+    const Prescribed given{Quantity::traction, scene.traction};
     const CoupledSolution rungs[] = {thermoroll::closed_form(scene, formulation, 1e-7, given),
                                      thermoroll::first_order(scene, formulation, 1e-7, given)};
-    if (rungs[1].error(thermoroll::load_ratio) > 0.1) continue;
+    if (rungs[1].error(Quantity::load_ratio) > 0.1) continue;
     const CoupledSolution exact = better(scene, formulation, 1e-8);
     for (const int k : {0, 1}) {
       ++used[k];
       const double off = ((rungs[k].value - exact.value).abs() / (rungs[k].error + exact.error))
-                             .head(thermoroll::hottest + 1)
+                             .head(thermoroll::compared)
                              .maxCoeff();
       EXPECT_LE(off, 1) << "rung " << k << ": " << text(scene);
     }
@@ -255,16 +255,16 @@ TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
   for (const Formulation formulation : both)
     for (const double border : {-0.5, 0.5, 0.95})
       for (const double lambda : {1.0, 10.0, 1000.0}) {
-        const thermoroll::Carter c = thermoroll::carter_given(0.6, {thermoroll::border, border});
-        const double q = thermoroll::carter_values(c)(thermoroll::traction), slip = 1 - border;
+        const thermoroll::Carter c = thermoroll::carter_given(0.6, {Quantity::stick_slip_border, stick_slip_border});
+        const double q = thermoroll::carter_values(c)(Quantity::traction), slip = 1 - border;
         const Driven scene{0.6, q, lambda / slip, 0.1};
         const CoupledSolution cold =
-            thermoroll::closed_form(scene, formulation, 1e-7, {thermoroll::traction, q});
+            thermoroll::closed_form(scene, formulation, 1e-7, {Quantity::traction, q});
         const CoupledSolution hot = better(scene, formulation, 1e-8);
         const Eigen::ArrayXd weight = thermoroll::place_nodes({slip, 1 + border}, rule, rule).heat;
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
         const double moved = (weight * (after - before).abs()).sum() / (weight * before).sum();
-        EXPECT_LE(moved, cold.error(thermoroll::load_ratio)) << text(scene);
+        EXPECT_LE(moved, cold.error(Quantity::load_ratio)) << text(scene);
         if (moved > 1.5 * apart(cold, hot)) ++beyond_sums;
       }
   EXPECT_GT(beyond_sums, 0) << "else the quantities would do";
@@ -278,14 +278,14 @@ TEST(LeastModel, FirstOrderErrorKnowsTheFluxAtEveryNode) {
     for (const double peclet : {10.0, 1e3, 1e5, 1e7})
       for (const double heating : {1e-3, 1e-2, 1e-1}) {
         const Driven scene{0.6, 0.3, peclet, heating};
-        const Prescribed given{thermoroll::border, 0};
+        const Prescribed given{Quantity::stick_slip_border, 0};
         const CoupledSolution cold = thermoroll::closed_form(scene, formulation, 1e-7, given);
         const CoupledSolution hot = thermoroll::first_order(scene, formulation, 1e-7, given);
         const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(hot.unknowns);
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
         const double r = (after - before).abs().maxCoeff() / before.maxCoeff() * (1 - 1e-12);
         const double least = r < 1 ? 2 * r * r / (1 - r) : infinity;
-        EXPECT_GE(hot.error(thermoroll::load_ratio), least) << text(scene);
+        EXPECT_GE(hot.error(Quantity::load_ratio), least) << text(scene);
         if (r > 2 * apart(cold, hot)) ++beyond_sums;
       }
   EXPECT_GT(beyond_sums, 0) << "else the quantities would do";
@@ -299,7 +299,7 @@ TEST(LeastModel, FirstOrderIsResolvedEverywhere) {
     for (const double peclet : {1.0, 1e4, 1e8, 1e10})
       for (const double share : {1e-12, 1e-9, 1e-7, 1e-3, 0.5, 0.999}) {
         Driven scene{0.6, 0.6 * share, peclet, 1};
-        const Prescribed given{thermoroll::traction, scene.traction};
+        const Prescribed given{Quantity::traction, scene.traction};
         scene.heating =
             3e-5 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
         const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-9, given);
@@ -321,10 +321,10 @@ TEST(LeastModel, FirstOrderErrorCoversTheShortestSlipZones) {
         Driven scene{f, f * share, lambda / (2 * c.slip_half_width), 1};
         scene.heating = 0.01 / thermoroll::expected_change(scene, c);
         const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-8,
-                                                          {thermoroll::traction, scene.traction});
+                                                          {Quantity::traction, scene.traction});
         const CoupledSolution exact = better(scene, formulation, 1e-9);
-        const Values off = (x.value - exact.value).abs() / (x.error + exact.error);
-        EXPECT_LE(off.head(thermoroll::hottest + 1).maxCoeff(), 1) << text(scene);
+        const Results off = (x.value - exact.value).abs() / (x.error + exact.error);
+        EXPECT_LE(off.head(thermoroll::compared).maxCoeff(), 1) << text(scene);
       }
 }
 
@@ -334,13 +334,13 @@ TEST(LeastModel, FirstOrderErrorCoversTheShortestSlipZones) {
 TEST(LeastModel, NoContactIsNotLeftToTheFirstOrder) {
   for (const Formulation formulation : both) {
     Driven scene{0.6, 0.6 * (1 - 1e-9), 1e9, 1};
-    const Prescribed given{thermoroll::traction, scene.traction};
+    const Prescribed given{Quantity::traction, scene.traction};
     scene.heating = 1e-2 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
     const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-7, given);
     ASSERT_EQ(x.violations.size(), 1u);
-    EXPECT_LE(std::abs(x.violations[0].from - x.value(thermoroll::border)), 1e-4);
+    EXPECT_LE(std::abs(x.violations[0].from - x.value(Quantity::stick_slip_border)), 1e-4);
     const double tolerance = 5e-3;
-    ASSERT_LE(x.error(thermoroll::load_ratio), tolerance) << "or its error alone rules it out";
+    ASSERT_LE(x.error(Quantity::load_ratio), tolerance) << "or its error alone rules it out";
     const Choice choice = thermoroll::least_model(scene, formulation, tolerance, given);
     EXPECT_EQ(choice.model, Model::coupled);
     EXPECT_TRUE(choice.solution.violations.empty());
@@ -353,9 +353,9 @@ TEST(LeastModel, KnowsNoErrorWhereHeatTakesTheStickZone) {
   for (const Formulation formulation : both)
     for (const double peclet : {1.0, 100.0, 1e4}) {
       const Driven scene{0.6, 0.3, peclet, 1e-4};
-      const Prescribed given{thermoroll::creep, 1.2 / thermoroll::pi * (1 - 1e-9)};
+      const Prescribed given{Quantity::creep, 1.2 / thermoroll::pi * (1 - 1e-9)};
       for (const auto rung : {thermoroll::closed_form, thermoroll::first_order})
-        EXPECT_EQ(rung(scene, formulation, 1e-3, given).error(thermoroll::load_ratio), infinity);
+        EXPECT_EQ(rung(scene, formulation, 1e-3, given).error(Quantity::load_ratio), infinity);
       EXPECT_THROW(thermoroll::solve_coupled(scene, formulation, 1e-3, given),
                    std::invalid_argument);
       EXPECT_THROW(thermoroll::least_model(scene, formulation, 1e-3, given), std::invalid_argument);
@@ -365,15 +365,15 @@ TEST(LeastModel, KnowsNoErrorWhereHeatTakesTheStickZone) {
 // The axis lies off the middle by pi gamma0 / (2 kappa), on every rung.
 TEST(LeastModel, EccentricityIsThatOfLoadAndGamma) {
   const Driven scene{0.6, 0.3, 100, 0.3};
-  const Prescribed given{thermoroll::traction, scene.traction};
+  const Prescribed given{Quantity::traction, scene.traction};
   for (const auto solve :
        {thermoroll::closed_form, thermoroll::first_order, thermoroll::solve_coupled}) {
     const CoupledSolution x = solve(scene, Formulation::corrected, 1e-4, given);
-    const double kappa = x.value(thermoroll::load_ratio), gamma0 = x.value(thermoroll::gamma0);
+    const double kappa = x.value(Quantity::load_ratio), gamma0 = x.value(Quantity::gamma0);
     EXPECT_DOUBLE_EQ(x.eccentricity, thermoroll::pi * gamma0 / (2 * kappa));
   }
   EXPECT_NE(thermoroll::first_order(scene, Formulation::corrected, 1e-4, given)
-                .value(thermoroll::load_ratio),
+                .value(Quantity::load_ratio),
             1)
       << "else kappa would not count";
 }
@@ -388,8 +388,8 @@ TEST(LeastModel, MeetsEveryTolerance) {
     const double tolerance = i % 3 == 0 ? 1e-2 : i % 3 == 1 ? 1e-3 : 1e-6;
     try {
       const Choice x = thermoroll::least_model(scene, formulation, tolerance,
-                                               {thermoroll::traction, scene.traction});
-      EXPECT_LE(x.solution.error(thermoroll::load_ratio), tolerance) << text(scene);
+                                               {Quantity::traction, scene.traction});
+      EXPECT_LE(x.solution.error(Quantity::load_ratio), tolerance) << text(scene);
       EXPECT_LE(apart(x.solution, better(scene, formulation, tolerance / 10)), 1.1 * tolerance)
           << text(scene) << ": " << x.reason;
       ++compared;
@@ -403,18 +403,18 @@ TEST(LeastModel, MeetsEveryTolerance) {
 // What is told of errors counts every quantity, the temperature as well; only the place of the
 // hottest point has a tolerance of its own.
 TEST(LeastModel, EveryQuantityCountsInTheLargestDifference) {
-  const Values exact = better({0.6, 0.5, 100, 1}, Formulation::corrected, 1e-4).value;
+  const Results exact = better({0.6, 0.5, 100, 1}, Formulation::corrected, 1e-4).value;
   EXPECT_EQ(thermoroll::largest_difference(exact, exact), 0);
   for (int what = 0; what < exact.size(); ++what) {
-    Values x = exact;
+    Results x = exact;
     x(what) += 1e-3 * thermoroll::scale_of(exact)(what);
-    const double counted = what == thermoroll::hottest_at ? 0 : 1e-3;
+    const double counted = what == Quantity::max_temperature_at ? 0 : 1e-3;
     EXPECT_NEAR(thermoroll::largest_difference(x, exact), counted, 1e-12) << what;
   }
 }
 
 TEST(LeastModel, TakesTheRungsInTurn) {
-  const Prescribed given{thermoroll::traction, 0.5};
+  const Prescribed given{Quantity::traction, 0.5};
   const auto model = [&](double heating, double tolerance) {
     return thermoroll::least_model({0.6, 4360, heating}, Formulation::corrected, tolerance, given)
         .model;
@@ -437,7 +437,7 @@ TEST(LeastModel, TakesTheRungsInTurn) {
 // In a slow contact heat spreads before it strains: the change goes with the Péclet number of the
 // slip zone, so that the closed form does at a low speed, however large H is.
 TEST(LeastModel, SlowContactsNeedNoHeat) {
-  const Prescribed given{thermoroll::traction, 0.3};
+  const Prescribed given{Quantity::traction, 0.3};
   for (const double peclet : {1e-4, 1e-6, 1e-8})
     for (const double heating : {0.1, 1.0}) {
       const thermoroll::Scene scene{0.6, peclet, heating};
@@ -453,7 +453,7 @@ TEST(LeastModel, TakesCreepOrBorder) {
     for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
       const Driven scene{0.6, 0.5, 100, heating};
       const CoupledSolution exact = better(scene, Formulation::corrected, 1e-8);
-      for (const auto quantity : {thermoroll::creep, thermoroll::border}) {
+      for (const auto quantity : {Quantity::creep, Quantity::stick_slip_border}) {
         const Prescribed given{quantity, exact.value(quantity)};
         const Choice x = thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
         EXPECT_EQ(x.solution.value(quantity), given.value);
@@ -467,21 +467,21 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
   const auto solve = [&](double tolerance, const Prescribed& given) {
     thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
   };
-  EXPECT_THROW(solve(1e-12, {thermoroll::traction, 0.5}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-12, {Quantity::traction, 0.5}), std::invalid_argument);
   EXPECT_THROW(  // on the lowest rung as well
       thermoroll::least_model({0.6, 100, 0}, Formulation::corrected, 9e-12,
-                              {thermoroll::traction, 0.5}),
+                              {Quantity::traction, 0.5}),
       std::invalid_argument);
-  EXPECT_THROW(solve(1e-3, {thermoroll::traction, 0.6}), std::invalid_argument);
-  EXPECT_THROW(solve(1e-3, {thermoroll::creep, -0.1}), std::invalid_argument);
-  EXPECT_THROW(solve(1e-3, {thermoroll::heat, 0.1}), std::invalid_argument);
-  EXPECT_THROW(solve(1e-3, {thermoroll::creep, 0.5}), std::invalid_argument);  // all of it slips
+  EXPECT_THROW(solve(1e-3, {Quantity::traction, 0.6}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {Quantity::creep, -0.1}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {Quantity::heat_integral, 0.1}), std::invalid_argument);
+  EXPECT_THROW(solve(1e-3, {Quantity::creep, 0.5}), std::invalid_argument);  // all of it slips
   const auto rungs = {thermoroll::closed_form, thermoroll::first_order};
   for (const auto rung : rungs)
     for (const Prescribed& given :
-         {Prescribed{thermoroll::hottest, 0.1}, Prescribed{thermoroll::load_ratio, 0.1},
-          Prescribed{thermoroll::border, 2}, Prescribed{thermoroll::creep, -0.1},
-          Prescribed{thermoroll::creep, 0.5}, Prescribed{thermoroll::traction, 0.6}})
+         {Prescribed{Quantity::max_temperature, 0.1}, Prescribed{Quantity::load_ratio, 0.1},
+          Prescribed{Quantity::stick_slip_border, 2}, Prescribed{Quantity::creep, -0.1},
+          Prescribed{Quantity::creep, 0.5}, Prescribed{Quantity::traction, 0.6}})
       EXPECT_THROW(rung(scene, Formulation::corrected, 1e-3, given), std::invalid_argument)
           << given.quantity << ' ' << given.value;
 }
@@ -493,17 +493,17 @@ TEST(LeastModel, ErrorsCoverTheLastBitsOfTheTraction) {
   double less = q;
   for (int i = 0; i < 4; ++i) less = std::nextafter(less, 0);
   const auto expect_covered = [](const CoupledSolution& a, const CoupledSolution& b) {
-    for (const auto i : {thermoroll::border, thermoroll::creep, thermoroll::heat}) {
-      EXPECT_NE(a.value(i), b.value(i));
-      EXPECT_LE(std::abs(a.value(i) - b.value(i)), a.error(i)) << i;
+    for (const auto i : {Quantity::stick_slip_border, Quantity::creep, Quantity::heat_integral}) {
+      EXPECT_NE(a.value[i], b.value[i]);
+      EXPECT_LE(std::abs(a.value[i] - b.value[i]), a.error[i]) << i;
     }
   };
   for (const double heating : {1e-12, 1e-9}) {
     const Driven at{f, q, 100, heating}, near{f, less, 100, heating};
-    expect_covered(solve_coupled(at, Formulation::corrected, 1e-6, {thermoroll::traction, q}),
-                   solve_coupled(near, Formulation::corrected, 1e-6, {thermoroll::traction, less}));
+    expect_covered(solve_coupled(at, Formulation::corrected, 1e-6, {Quantity::traction, q}),
+                   solve_coupled(near, Formulation::corrected, 1e-6, {Quantity::traction, less}));
     expect_covered(
-        least_model(at, Formulation::corrected, 3e-9, {thermoroll::traction, q}).solution,
-        least_model(near, Formulation::corrected, 3e-9, {thermoroll::traction, less}).solution);
+        least_model(at, Formulation::corrected, 3e-9, {Quantity::traction, q}).solution,
+        least_model(near, Formulation::corrected, 3e-9, {Quantity::traction, less}).solution);
   }
 }

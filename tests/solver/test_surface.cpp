@@ -91,10 +91,10 @@ TEST(Surface, CoupledFluxAgreesWithAdaptiveQuadrature) {
   for (const double peclet : {1.0, 100.0, 4360.0})
     for (const double heating : {0.0175, 0.5}) {
       const auto x = solve_coupled({0.6, peclet, heating}, thermoroll::Formulation::corrected, 1e-6,
-                                   {thermoroll::traction, 0.5});
-      const Eigen::ArrayXd s = places(x.value(thermoroll::border));
+                                   {Quantity::traction, 0.5});
+      const Eigen::ArrayXd s = places(x.value(Quantity::stick_slip_border));
       SurfaceCurve curve = surface_curve(smooth_flux(x), peclet, s, 1e-8);
-      curve.error += x.error(thermoroll::hottest);
+      curve.error += x.error(Quantity::max_temperature);
       expect_same(curve, coupled_flux(x), peclet, s);
     }
 }
@@ -112,7 +112,7 @@ TEST(Surface, PeakAgreesWithAdaptiveQuadrature) {
       EXPECT_NEAR(top.value, there.value, top.error + there.error)
           << traction << ", Pe = " << peclet;
       if (traction < 0.006) continue;
-      const Peak y = max_temperature(flux, peclet);
+      const Peak y = hottest_point(flux, peclet);
       EXPECT_NEAR(top.value, y.temperature.value, top.error + y.temperature.error)
           << traction << ", Pe = " << peclet;
       EXPECT_NEAR(x.at, y.at, x.at_error + y.at_error) << traction << ", Pe = " << peclet;

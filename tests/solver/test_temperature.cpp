@@ -124,19 +124,19 @@ TEST(Temperature, TableOfMaxima) {
     const HeatFlux flux = rolling(row.traction);
     for (int i = 0; i < 6; ++i) {
       SCOPED_TRACE(::testing::Message() << "Q* = " << row.traction << ", Pe = " << speeds[i]);
-      const thermoroll::Peak peak = thermoroll::max_temperature(flux, speeds[i]);
+      const thermoroll::Peak peak = thermoroll::hottest_point(flux, speeds[i]);
       EXPECT_TRUE(printed(peak.temperature.value, row.maximum[i], 1e-8));
       EXPECT_GE(peak.at, row.last - 1e-4);  // a unit of its last digit
       EXPECT_LE(peak.at, row.first + 1e-4);
     }
     // T sqrt(Pe) has a plateau; the next term is of relative order 1/Pe.
-    const thermoroll::Peak fast = thermoroll::max_temperature(flux, 1e8);
+    const thermoroll::Peak fast = thermoroll::hottest_point(flux, 1e8);
     EXPECT_TRUE(printed(fast.temperature.value * 1e4, row.plateau, 1e-8))
         << "Q* = " << row.traction;
   }
   // The whole contact slips: 0.24962975 at 0.815006. At Q* = f (1 - 1e-12) the stick zone is 2e-6
   // wide.
-  const thermoroll::Peak full = thermoroll::max_temperature(rolling(friction * (1 - 1e-12)), 1e8);
+  const thermoroll::Peak full = thermoroll::hottest_point(rolling(friction * (1 - 1e-12)), 1e8);
   EXPECT_TRUE(close(full.temperature.value * 1e4, 0.24962975, 0.5e-8 + 1e-6));
   EXPECT_TRUE(close(full.at, 0.815006, 0.5e-6 + 2e-6));
   // Behind the contact, Pe = 5000.
@@ -162,7 +162,7 @@ TEST(Temperature, UniformBand) {
   };
   for (const Row& row : rows) {
     SCOPED_TRACE(::testing::Message() << "Pe = " << row.peclet);
-    const thermoroll::Peak peak = thermoroll::max_temperature(uniform(), row.peclet);
+    const thermoroll::Peak peak = thermoroll::hottest_point(uniform(), row.peclet);
     // Printed to ten digits, and a value to the promise.
     EXPECT_TRUE(close(peak.temperature.value, row.maximum, 0.5e-10 + promised * row.maximum));
     EXPECT_TRUE(printed(peak.at, row.at, 1e-4));
@@ -190,10 +190,10 @@ TEST(Temperature, UniformBand) {
 // The next term is of relative order 1/Pe.
 TEST(Temperature, SemiEllipticBandAtHighSpeed) {
   const double peclet = 1e8, heat = 1.7;
-  const HeatFlux flux = thermoroll::sliding_flux(heat);
+  const HeatFlux flux = thermoroll::sliding_flux(heat_integral);
   const Real scale = std::sqrt(2 * reference::pi * peclet) / (heat * 2 / reference::pi);
   const Real rate = 4 / static_cast<Real>(peclet);
-  const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
+  const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
   EXPECT_TRUE(close(scale * peak.temperature.value, 2.1883066738L, 0.5e-10L + rate));
   EXPECT_TRUE(close(peak.at, 0.652230, 0.5e-6));
   const Estimate end = temperature(flux, peclet, 1);
@@ -400,7 +400,7 @@ TEST(Temperature, TotalHeatIsTheEnergyIdentity) {
 
 TEST(Temperature, SlidingCarriesTheHeatAsked) {
   for (const double heat : {1e-6, 0.188, 3.0}) {
-    const HeatFlux flux = thermoroll::sliding_flux(heat);
+    const HeatFlux flux = thermoroll::sliding_flux(heat_integral);
     EXPECT_EQ(flux.from, -1);
     EXPECT_EQ(flux.to, 1);
     expect_estimate(thermoroll::total_heat(flux), heat);
@@ -419,7 +419,7 @@ TEST(Temperature, MaximumIsTheMaximum) {
     for (const HeatFlux& flux :
          {rolling(0.01), rolling(0.5), rolling(0.5999), uniform(), thermoroll::sliding_flux(1)}) {
       SCOPED_TRACE(::testing::Message() << "Pe = " << peclet << ", from " << flux.from);
-      const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
+      const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
       const double length = flux.to - flux.from;
       EXPECT_GT(peak.at, flux.from);
       EXPECT_LE(peak.at, flux.to);
@@ -434,7 +434,7 @@ TEST(Temperature, MaximumIsTheMaximum) {
       EXPECT_LT(peak.at_error, 1e-2 * length);
     }
   // Positions known independently: the semi-ellipse at high speed, and the bands'.
-  const thermoroll::Peak fast = thermoroll::max_temperature(thermoroll::sliding_flux(1), 1e8);
+  const thermoroll::Peak fast = thermoroll::hottest_point(thermoroll::sliding_flux(1), 1e8);
   EXPECT_TRUE(close(fast.at, 0.652230L, fast.at_error + 0.5e-6L + 1e-8L));
 }
 
@@ -445,7 +445,7 @@ TEST(Temperature, MaximumIsTheMaximum) {
 TEST(Temperature, ErrorOfThePlaceIsThatOfAParabola) {
   for (const double peclet : {0.3, 50.0, 4360.0})
     for (const HeatFlux& flux : {rolling(0.1), rolling(0.5), thermoroll::sliding_flux(1)}) {
-      const thermoroll::Peak peak = thermoroll::max_temperature(flux, peclet);
+      const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
       const double far = 100 * peak.at_error, top = peak.temperature.value;
       const double left = temperature(flux, peclet, peak.at - far).value;
       const double right = temperature(flux, peclet, peak.at + far).value;
@@ -464,5 +464,5 @@ TEST(Temperature, RefusesWhatMakesNoSense) {
     EXPECT_THROW(temperature(flux, 1, s), std::invalid_argument) << s;
   for (const double depth : {-1e-9, nan, infinity})
     EXPECT_THROW(temperature(flux, 1, 0, depth), std::invalid_argument) << depth;
-  EXPECT_THROW(thermoroll::max_temperature(flux, -1), std::invalid_argument);
+  EXPECT_THROW(thermoroll::hottest_point(flux, -1), std::invalid_argument);
 }

@@ -78,7 +78,7 @@ TEST(CachedScheme, MeansConvergeAtAnySpeed) {
       SCOPED_TRACE(::testing::Message() << "Pe = " << peclet);
       const Driven scene{friction, 0.5, peclet, 0.1};
       const CoupledSolution exact =
-          thermoroll::solve_coupled(scene, formulation, 1e-9, {thermoroll::traction, 0.5});
+          thermoroll::solve_coupled(scene, formulation, 1e-9, {Quantity::traction, 0.5});
       const auto largest = [&](std::initializer_list<int> nodes) {
         Eigen::Array3d errors = Eigen::Array3d::Zero();
         for (const int n : nodes) {
@@ -87,9 +87,9 @@ TEST(CachedScheme, MeansConvergeAtAnySpeed) {
           const double top =
               thermoroll::cached_max_temperature(x, peclet, NodeKernel::mean).temperature;
           const Eigen::Array3d of_n{
-              (x.load_ratio - 1) / (exact.value(thermoroll::load_ratio) - 1) - 1,
-              top / exact.value(thermoroll::hottest) - 1,
-              x.creep / exact.value(thermoroll::creep) - 1};
+              (x.load_ratio - 1) / (exact.value(Quantity::load_ratio) - 1) - 1,
+              top / exact.value(Quantity::max_temperature) - 1,
+              x.creep / exact.value(Quantity::creep) - 1};
           errors = errors.max(of_n.abs());
         }
         return errors;

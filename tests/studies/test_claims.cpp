@@ -82,8 +82,8 @@ TEST(Claims, ConvergedMeansEightDigits) {
   for (const double traction : thermoroll::paper::tractions)
     for (const double peclet : thermoroll::paper::peclets) {
       const thermoroll::CoupledSolution x = thermoroll::paper::coupled(traction, peclet);
-      const thermoroll::Values relative = x.error / thermoroll::scale_of(x.value);
-      EXPECT_LE(relative.head(thermoroll::hottest + 1).maxCoeff(), 1e-8)
+      const thermoroll::Results relative = x.error / thermoroll::scale_of(x.value);
+      EXPECT_LE(relative.head(thermoroll::compared).maxCoeff(), 1e-8)
           << traction << ", " << peclet;
     }
 }

@@ -164,8 +164,8 @@ TEST(Resolution, FirstOrderIsWhatTheSchemeDoes) {
       const Driven scene{0.6, 0.5, peclet, 0.0175};
       const PublishedSolution x = solve_published(scene, Formulation::printed, {nodes});
       const CoupledSolution y =
-          thermoroll::solve_coupled(scene, Formulation::printed, 1e-8, {thermoroll::traction, 0.5});
-      const double seen = (1 - x.load_ratio) / (1 - y.value(thermoroll::load_ratio));
+          thermoroll::solve_coupled(scene, Formulation::printed, 1e-8, {Quantity::traction, 0.5});
+      const double seen = (1 - x.load_ratio) / (1 - y.value(Quantity::load_ratio));
       const double first = thermoroll::scheme_load_change(c, peclet, nodes) /
                            thermoroll::exact_load_change(c, peclet);
       EXPECT_TRUE(close(seen / first, 1, 0.01)) << peclet << ", " << nodes;
@@ -204,8 +204,8 @@ TEST(Resolution, ANodeAtTheBorderCyclesForEver) {
 TEST(Resolution, MovingNodesKnowNoJumps) {
   const auto traction = [](double c0) {
     return thermoroll::solve_coupled({0.6, 100, 0.5}, Formulation::corrected, 1e-9,
-                                     {thermoroll::border, c0})
-        .value(thermoroll::traction);
+                                     {Quantity::stick_slip_border, c0})
+        .value(Quantity::traction);
   };
   for (int i = 0; i < 20; ++i) {
     const double c0 = -0.2235 + 1e-4 * i;
@@ -417,7 +417,7 @@ namespace {
 Factors carter_factors(double friction, double border) {
   const Eigen::ArrayXd s = Eigen::ArrayXd::LinSpaced(199, -0.99, 0.99);
   const Eigen::ArrayXd constant = Eigen::ArrayXd::Constant(199, 2 / thermoroll::pi);
-  return {friction, border, 1, s, constant, friction * constant};
+  return {friction, stick_slip_border, 1, s, constant, friction * constant};
 }
 
 }  // namespace
@@ -425,7 +425,7 @@ Factors carter_factors(double friction, double border) {
 TEST(Admissibility, ClosedFormIsAContact) {
   for (const double friction : {0.01, 0.6, 2.0})
     for (const double border : {-0.995, -0.5, 0.0, 0.7, 0.995})
-      EXPECT_TRUE(thermoroll::violations(carter_factors(friction, border)).empty()) << border;
+      EXPECT_TRUE(thermoroll::violations(carter_factors(friction, stick_slip_border)).empty()) << border;
 }
 
 // Each condition, made to fail on an interval by a straight line through zero at its ends, is named
@@ -444,22 +444,22 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   const auto dip = [](const Eigen::ArrayXd& s, double from, double to) {
     return ((s - (from + to) / 2).abs() - (to - from) / 2).eval();
   };
-  Factors x = carter_factors(0.6, border);
+  Factors x = carter_factors(0.6, stick_slip_border);
   x.pressure = dip(x.s, 0.305, 0.605);
   EXPECT_TRUE(only(x, "separation", 0.305, 0.605));
   x.pressure = 0.9001 - x.s;
   EXPECT_TRUE(only(x, "separation", 0.9001, 1));
-  x = carter_factors(0.6, border);
+  x = carter_factors(0.6, stick_slip_border);
   x.slip = 0.6 * dip(x.s, 0.305, 0.605);
   EXPECT_TRUE(only(x, "backward slip", 0.305, 0.605));
-  x = carter_factors(0.6, border);
+  x = carter_factors(0.6, stick_slip_border);
   x.slip = 0.6 * dip(x.s, -0.505, -0.305);
   EXPECT_TRUE(only(x, "traction above friction", -0.505, -0.305));
-  x = carter_factors(0.6, border);
+  x = carter_factors(0.6, stick_slip_border);
   x.slip = (x.s < -0.9).select(20 + 0 * x.s, x.slip);
   EXPECT_EQ(thermoroll::violations(x).at(0).what, "traction below -friction");
   EXPECT_EQ(thermoroll::violations(x).at(0).from, -1);
-  x = carter_factors(0.6, border);
+  x = carter_factors(0.6, stick_slip_border);
   x.load_ratio = 0;
   EXPECT_TRUE(only(x, "no load", -1, 1));
   x.pressure(150) = std::numeric_limits<double>::quiet_NaN();
@@ -467,7 +467,7 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_LE(found[0].from, x.s(150));
   EXPECT_GE(found[0].to, x.s(150));
-  x = carter_factors(0.6, border);
+  x = carter_factors(0.6, stick_slip_border);
   x.slip = 0.6 * dip(x.s, 0.305, 0.605).min(dip(x.s, -0.505, -0.305));
   EXPECT_EQ(thermoroll::violations(x).size(), 2u);
 }
@@ -498,7 +498,7 @@ TEST(Admissibility, FollowsFromTheWayToTheSolution) {
     for (const double heating : {0.1, 1.0, 10.0})
       for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
         EXPECT_TRUE(thermoroll::solve_coupled({0.6, peclet, heating}, formulation, 1e-3,
-                                              {thermoroll::traction, 0.5})
+                                              {Quantity::traction, 0.5})
                         .violations.empty())
             << peclet << ' ' << heating;
 }
@@ -511,14 +511,14 @@ TEST(Ends, FastAndSlowTemperature) {
   const double fast = thermoroll::hottest_when_fast(flux);
   const auto solver = [](double peclet) {
     return thermoroll::solve_coupled({0.6, peclet, 0}, Formulation::corrected, 1e-9,
-                                     {thermoroll::traction, 0.5})
-        .value(thermoroll::hottest);
+                                     {Quantity::traction, 0.5})
+        .value(Quantity::max_temperature);
   };
   for (const double peclet : {1e3, 1e4, 1e6, 1e8}) {
     const double law = fast / std::sqrt(peclet), allowed = 1 / (peclet * peclet) + 2e-9;
     EXPECT_TRUE(close(solver(peclet) / law, 1, allowed)) << peclet;
     EXPECT_TRUE(
-        close(thermoroll::max_temperature(flux, peclet).temperature.value / law, 1, allowed))
+        close(thermoroll::hottest_point(flux, peclet).temperature.value / law, 1, allowed))
         << peclet;
   }
   for (const double peclet : {1e-1, 1e-2, 1e-3}) {
@@ -539,11 +539,11 @@ TEST(Ends, LittleTraction) {
           const double q = 0.6 * share;
           const Driven scene{0.6, q, peclet, heating};
           const CoupledSolution x =
-              thermoroll::solve_coupled(scene, formulation, 1e-9, {thermoroll::traction, q});
+              thermoroll::solve_coupled(scene, formulation, 1e-9, {Quantity::traction, q});
           const double law = thermoroll::creep_of_little_traction(scene, q);
           const double change = std::abs(law / thermoroll::carter(0.6, q).creep - 1);
           const double next = 3 * share * change + 2e-9;
-          EXPECT_TRUE(close(x.value(thermoroll::creep) / law, 1, next)) << share;
+          EXPECT_TRUE(close(x.value(Quantity::creep) / law, 1, next)) << share;
           if (peclet >= 1) {
             EXPECT_GT(change, 10 * next) << "or it proves nothing";
           }
@@ -558,9 +558,9 @@ TEST(Ends, NearlyFullTraction) {
       for (const double left : {1e-2, 1e-4, 1e-6}) {
         const Driven scene{0.6, 0.6 * (1 - left), peclet, 0.3};
         const CoupledSolution x = thermoroll::solve_coupled(scene, formulation, 1e-8,
-                                                            {thermoroll::traction, scene.traction});
+                                                            {Quantity::traction, scene.traction});
         const thermoroll::Profile profile = thermoroll::profile(x);
-        const double c0 = x.value(thermoroll::border), b = (1 + c0) / 2;
+        const double c0 = x.value(Quantity::stick_slip_border), b = (1 + c0) / 2;
         Eigen::Index i = 0;
         while (profile.slip(i) == 0) ++i;
         const double s = profile.s(i), slope = profile.slip(i) / std::sqrt((1 + s) * (s - c0));
@@ -582,11 +582,11 @@ TEST(Ends, EveryCornerIsSolvedOrRefused) {
             const double q = f * share, cold = thermoroll::carter(f, q).creep;
             try {
               const CoupledSolution x = thermoroll::solve_coupled({f, peclet, heating}, formulation,
-                                                                  1e-3, {thermoroll::traction, q});
+                                                                  1e-3, {Quantity::traction, q});
               EXPECT_TRUE(x.value.allFinite() && x.error.allFinite());
               EXPECT_TRUE(x.violations.empty());
               if (f * heating > 2e-3) continue;
-              EXPECT_TRUE(close(x.value(thermoroll::creep) / cold, 1, 1e-3 + f * heating));
+              EXPECT_TRUE(close(x.value(Quantity::creep) / cold, 1, 1e-3 + f * heating));
             } catch (const std::runtime_error& refusal) {
               EXPECT_GT(f * heating, 2e-3) << refusal.what();
               EXPECT_EQ(std::string(refusal.what()).find('\n'), std::string::npos);

@@ -24,7 +24,7 @@ using thermoroll::Violation;
 // ends at no contact today, so the solution is one that is told to.
 TEST(FigureData, SolvesAreCountedByTheirOutcome) {
   const CoupledSolution contact = thermoroll::solve_coupled(
-      {0.6, 10, 0}, thermoroll::Formulation::corrected, 1e-2, {thermoroll::traction, 0.5});
+      {0.6, 10, 0}, thermoroll::Formulation::corrected, 1e-2, {Quantity::traction, 0.5});
   ASSERT_TRUE(contact.violations.empty());
   EXPECT_EQ(outcome([&] { return contact; }), Outcome::contact);
 

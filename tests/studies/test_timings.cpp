@@ -186,11 +186,11 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   const Regime& steel = thermoroll::regimes[0];
   const Driven scene{0.6, 0.5, 4360, 0.0175};
   const auto sign = thermoroll::Formulation::corrected;
-  const auto coupled = thermoroll::solve_coupled(scene, sign, 1e-4, {thermoroll::traction, 0.5});
+  const auto coupled = thermoroll::solve_coupled(scene, sign, 1e-4, {Quantity::traction, 0.5});
   const Found found = find(steel, "coupled/tol:1e-04/Pe:4360/H:0.0175");
-  EXPECT_EQ(found.load_ratio, coupled.value(thermoroll::load_ratio));
-  EXPECT_EQ(found.hottest, coupled.value(thermoroll::hottest));
-  EXPECT_EQ(found.creep, coupled.value(thermoroll::creep));
+  EXPECT_EQ(found.load_ratio, coupled.value(Quantity::load_ratio));
+  EXPECT_EQ(found.hottest, coupled.value(Quantity::max_temperature));
+  EXPECT_EQ(found.creep, coupled.value(Quantity::creep));
 
   const auto scheme = solve_published(scene, sign, {25});
   const Found described = find(steel, "gauss_chebyshev/n:25/Pe:4360/H:0.0175");
@@ -204,9 +204,9 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
 
   const auto corrected = thermoroll::first_order(scene, sign, 1e-6, scene);
   const Found once = find(steel, "first_order/Pe:4360/H:0.0175");
-  EXPECT_EQ(once.load_ratio, corrected.value(thermoroll::load_ratio));
-  EXPECT_EQ(once.hottest, corrected.value(thermoroll::hottest));
-  EXPECT_EQ(once.creep, corrected.value(thermoroll::creep));
+  EXPECT_EQ(once.load_ratio, corrected.value(Quantity::load_ratio));
+  EXPECT_EQ(once.hottest, corrected.value(Quantity::max_temperature));
+  EXPECT_EQ(once.creep, corrected.value(Quantity::creep));
 
   EXPECT_EQ(find(steel, "closed_form").load_ratio, 1);
   EXPECT_TRUE(std::isnan(find(steel, "closed_form").hottest));
@@ -248,7 +248,7 @@ TEST(Comparison, BandsAreJaegersAndBloks) {
   const thermoroll::HeatFlux uniform{-1, 1, [](double, double) { return 1.0; }};
   for (const auto& [peclet, at, top] : known) {
     EXPECT_NEAR(thermoroll::jaeger_band(peclet, at), top, 1e-6 * top) << peclet;
-    const thermoroll::Peak peak = thermoroll::max_temperature(uniform, peclet);
+    const thermoroll::Peak peak = thermoroll::hottest_point(uniform, peclet);
     EXPECT_NEAR(peak.temperature.value, top, 1e-9) << peclet;
     EXPECT_NEAR(thermoroll::jaeger_band(peclet, peak.at), peak.temperature.value, 1e-9 * top);
   }

@@ -13,25 +13,10 @@
 #include "thermoroll/carter.hpp"
 #include "thermoroll/heat_flux.hpp"
 #include "thermoroll/kernels.hpp"
+#include "thermoroll/results.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
-
-/// The results of a coupled solution, in this order. Dimensionless.
-enum Quantity {
-  border,          ///< c0
-  slip_length,     ///< 1 - c0, to its own digits
-  traction,        ///< Q*
-  creep_constant,  ///< C of @eq:stick-conditions
-  creep,           ///< xi* = C - f gamma0
-  load_ratio,      ///< kappa
-  gamma0,          ///< gamma0 of @eq:pressure-conditions
-  heat,            ///< the integral of v* p*
-  hottest,         ///< the largest T*
-  hottest_at,      ///< where it is
-  quantities       ///< how many they are
-};
-using Values = Eigen::Array<double, quantities, 1>;
 
 /// What is prescribed beside f, Pe and H: traction, creep or border, and its value.
 struct Prescribed {
@@ -58,30 +43,32 @@ struct NotResolved : std::runtime_error {
 
 /// A solution of the coupled problem; dimensionless.
 struct CoupledSolution {
-  Scene scene;              ///< whose heating acts on the tractions
-  Formulation formulation;  ///< the sign of that
-  Values value;             ///< by Quantity
-  Values error;             ///< estimated absolute errors
-  int unknowns = 0;         ///< n, values of h on the last grid
-  int newton_steps = 0;     ///< on the last grid
-  Eigen::VectorXd h;        ///< n Legendre coefficients in y of h, @eq:h
-  double eccentricity = 0;  ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
+  Scene scene;                        ///< whose heating acts on the tractions
+  Formulation formulation;            ///< the sign of that
+  Results value;                      ///< by Quantity
+  Results error;                      ///< estimated absolute errors
+  int unknowns = 0;                   ///< n, values of h on the last grid
+  int newton_steps = 0;               ///< on the last grid
+  Eigen::VectorXd h;                  ///< n Legendre coefficients in y of h, @eq:h
   std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
   std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for lesser models
 };
 
+/// Put in the eccentricity and its error, which follow from gamma0 and kappa and theirs.
+void add_eccentricity(Results& value, Results& error);
+
 /// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
-Values scale_of(const Values& v);
+Results scale_of(const Results& v);
 
 /// The quantities without heat, but for the temperature.
-Values carter_values(const Carter& c);
+Results carter_values(const Carter& c);
 
 /// Their derivatives with respect to one of traction, creep and border, to about a thousandth.
-Values carter_slope(const Carter& c, Quantity by);
+Results carter_slope(const Carter& c, Quantity by);
 
 /// What rounding of the given quantity changes in the others, at most, each relative to its scale;
 /// slope holds their derivatives with respect to it.
-double rounding(const Prescribed& given, const Values& slope, const Values& scale);
+double rounding(const Prescribed& given, const Results& slope, const Results& scale);
 
 /// Refuse, by std::invalid_argument, data out of range and a prescribed quantity that is not
 /// traction, creep or border, or not in its range; the scene is checked first, if there is one.

@@ -27,19 +27,8 @@ struct Approach {
   double tolerance = 1e-6;                           ///< of all but the scheme, 1e-11 to 1e-2
 };
 
-/// What is reported of a solved scene; dimensionless.
-struct Results {
-  double traction;            ///< Q*
-  double stick_slip_border;   ///< c0
-  double creep_constant;      ///< the constant of @eq:stick as solved, xi* + f gamma0
-  double creep;               ///< xi*, @eq:true-creep
-  double load_ratio;          ///< kappa = P_H / P, @eq:kappa
-  double gamma0;              ///< the constant of @eq:discrete-normal
-  double eccentricity;        ///< pi gamma0 / (2 kappa), of the contact from the axis
-  double heat_integral;       ///< the integral of v* p*
-  double max_temperature;     ///< the largest T* on the surface
-  double max_temperature_at;  ///< s there
-};
+/// The models that are solved to a tolerance, from the least on.
+enum class Model { closed_form, first_order, coupled };
 
 /// A scene, how it was solved, and what came out.
 struct Solution {
@@ -49,7 +38,8 @@ struct Solution {
   std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
   std::variant<Carter, PublishedSolution, CoupledSolution> found;
   bool converged = true;
-  std::string model{}, reason{};        ///< the rung of @sec:ladder and why; empty for the scheme
+  std::optional<Model> model{};         ///< the rung of @sec:ladder; the scheme is none
+  std::string reason{};                 ///< why that one; empty for the scheme
   std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one
   std::vector<GridStep> trace{};        ///< the grids of the coupled solver; empty for the others
 };

@@ -19,7 +19,7 @@ struct Peak {
 };
 
 /// The largest T* on the surface. Errors as for temperature.
-Peak max_temperature(const HeatFlux& flux, double peclet);
+Peak hottest_point(const HeatFlux& flux, double peclet);
 
 /// The integral of the flux, in units of v* p* times a length a.
 Estimate total_heat(const HeatFlux& flux);
