@@ -1,4 +1,4 @@
-// Tangled from paper/13-results.md; edit there.
+// Tangled from paper/08-results.md; edit there.
 #pragma once
 
 #include <string>

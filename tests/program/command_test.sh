@@ -437,7 +437,7 @@ TemperatureMeetsNodes() {
 
 # The chapter's own file, as wheel.toml.
 write_wheel() {
-  code toml A-command-line.md >wheel.toml
+  code toml B-command-line.md >wheel.toml
   grep -q '^load = ' wheel.toml || fail "the chapter has no case file"
 }
 
