@@ -11,7 +11,7 @@
 
 namespace thermoroll {
 
-/// A case in which methods are compared; f = 0.6, Q* = 0.5, corrected sign.
+/// A scene in which methods are compared; f = 0.6, Q* = 0.5, corrected sign.
 struct Regime {
   const char* name;
   double peclet, heating;

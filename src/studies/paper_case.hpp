@@ -6,7 +6,7 @@
 #include "thermoroll/published_scheme.hpp"
 #include "thermoroll/scene.hpp"
 
-/// The case that the paper computes. Dimensionless; q is Q*, 0 < q < 0.6, and pe the Péclet number.
+/// The scene that the paper computes. Dimensionless: q is Q*, 0 < q < 0.6; pe is the Péclet number.
 namespace thermoroll::paper {
 
 inline constexpr double friction = 0.6;

@@ -36,7 +36,7 @@ struct Units {
   double temperature;  ///< heat_flux a / K, of T*, degree C
 };
 
-/// The dimensionless groups of a case, @eq:groups.
+/// The dimensionless groups of a scene, @eq:groups.
 Scene scene_of(const PhysicalCase& c, double friction);
 
 /// What one dimensionless unit is worth in this case.
