@@ -8,7 +8,7 @@ MAKEFLAGS += --no-builtin-rules
 export LC_ALL := C.UTF-8
 
 # --- Packages -------------------------------------------------------------------------------------
-# The one list of Debian packages, by goal; appendix G of the report gives the reason for each.
+# The one list of Debian packages, by goal; appendix H of the report gives the reason for each.
 
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
@@ -260,7 +260,7 @@ build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css p
 	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)
-## draft: write CHAPTER=10 of the report alone to build/draft.html, with the data and figures that are there
+## draft: write CHAPTER=12 of the report alone to build/draft.html, with the data and figures that are there
 draft: | build
 	@[ "$(words $(drafted))" = 1 ] || { \
 	  echo "draft: there is no paper/$(CHAPTER)-*.md; say, for example, CHAPTER=01" >&2; exit 1; }
@@ -371,7 +371,7 @@ bench: build/thermoroll-bench
 	@build/thermoroll-bench --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 
 SWEEP_ROWS ?= 10000 100000 1000000
-## sweep-bench: rows per second and memory of sweeps of SWEEP_ROWS rows, for appendix C
+## sweep-bench: rows per second and memory of sweeps of SWEEP_ROWS rows, for appendix D
 sweep-bench: build/thermoroll
 	@mkdir -p figures/measured
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)

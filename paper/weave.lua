@@ -4,13 +4,14 @@
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
--- (all on one line; `-M revision=` may be left out). With `-M draft=paper/10-x.md` the page has this
+-- (all on one line; `-M revision=` may be left out). With `-M draft=paper/12-x.md` the page has this
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
 -- figures/measured/*.csv and paper/style.css, and puts all of it into the page, which then needs no
 -- other file. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
+--   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
 --   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
 --   : Caption {#tbl:x}                                below a table
@@ -248,6 +249,14 @@ local function number_heading(heading)
   heading.content:insert(1, pandoc.Span(number, pandoc.Attr("", { "section-number" })))
   heading.content:insert(2, pandoc.Space())
   return heading
+end
+
+--- The name of a part stands before its first chapter.
+local function part_before(heading)
+  local part = heading.attributes.part
+  if not part then return nil end
+  heading.attributes.part = nil
+  return { pandoc.Div({ pandoc.Plain(part) }, pandoc.Attr("", { "part-title" })), heading }
 end
 
 -- 4. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
@@ -749,13 +758,15 @@ local function colophon(meta)
   return pandoc.Para({ pandoc.Str(text) })
 end
 
---- Chapters and their sections as a list of links. (The contents that Pandoc makes have ids, which
+--- Parts, chapters and their sections as a list of links. (The contents that Pandoc makes have ids, which
 --- would stand twice in a page that has them twice.)
 local function contents(blocks)
   local list = pandoc.List()
   for _, block in ipairs(blocks) do
     if block.t == "Header" and block.level <= 3 then
       local entry = { pandoc.Plain({ pandoc.Link(block.content, "#" .. block.identifier) }) }
+      local part = block.attributes.part
+      if part then list:insert({ { pandoc.Plain({ pandoc.Strong(part) }) }, sections = {} }) end
       if block.level == 2 or #list == 0 then
         list:insert({ entry, sections = {} })
       else
@@ -824,5 +835,6 @@ function Pandoc(document)
   stop_on_mistakes()
   document.meta.style = raw(style)
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
+  document.blocks = document.blocks:walk({ Header = part_before })
   return document
 end

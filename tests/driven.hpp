@@ -1,4 +1,4 @@
-// A scene and the traction that drives it, for the tests' lists of cases.
+// A scene and the traction that drives it, for the tests' lists of scenes.
 #pragma once
 
 #include "thermoroll/solution.hpp"

@@ -1,4 +1,4 @@
-// Tangled from paper/06-closed-form.md; edit there.
+// Tangled from paper/05-closed-form.md; edit there.
 #include "thermoroll/carter.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/05-integral-equations.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md; edit there.
 #include "thermoroll/scene.hpp"
 
 #include <cmath>

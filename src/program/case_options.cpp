@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md; edit there.
+// Tangled from paper/B-command-line.md; edit there.
 #include "program/case_options.hpp"
 
 #include <algorithm>
@@ -132,9 +132,9 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
       ->type_name("NUMBER")
       ->check(finite_number("friction"))
       ->required()
-      ->group("Case");
-  for (const CaseOption& option : given_options) add(option, "Case");
-  for (const CaseOption& option : group_options) add(option, "Dimensionless case");
+      ->group("Scene");
+  for (const CaseOption& option : given_options) add(option, "Scene");
+  for (const CaseOption& option : group_options) add(option, "Dimensionless scene");
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
   for (const CaseOption& option : si_options) add(option, si);
   for (const CaseOption& option : size_options) add(option, si);

@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md; edit there.
+// Tangled from paper/B-command-line.md; edit there.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct CaseOptions {
   Maybe tolerance;
 };
 
-/// Declare the options of a case, which CLI11 will write to o.
+/// Declare the options of a scene, which CLI11 will write to o.
 void add_case_options(CLI::App& command, CaseOptions& o);
 
 /// Whether an option, named without its hyphens, stands for data in SI units.
@@ -45,17 +45,17 @@ struct Case {
   Maybe radius;
 };
 
-/// The case that the options describe. Throws std::invalid_argument.
+/// The scene that the options describe. Throws std::invalid_argument.
 Case read_case(const CaseOptions& o);
 
-/// A solution and, where the case was given in SI units, these units and the results in them.
+/// A solution and, where the scene was given in SI units, these units and the results in them.
 struct SolvedCase {
   Solution solution;
   std::optional<Units> units;
   std::optional<FoundInSi> physical;
 };
 
-/// Solve a case; throws as solve() and half_width_of_radius() do.
+/// Solve a scene; throws as solve() and half_width_of_radius() do.
 SolvedCase solve_case(const Case& c);
 
 /// The number that a text is as a whole, if it is finite.

@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md; edit there.
+// Tangled from paper/B-command-line.md; edit there.
 #include "program/command.hpp"
 
 #include <unistd.h>
@@ -222,7 +222,7 @@ void add_output(CLI::App& command, Options& o) {
 }
 
 void add_solve(CLI::App& program, Options& o) {
-  CLI::App& command = *program.add_subcommand("solve", "Solve one case and print the result");
+  CLI::App& command = *program.add_subcommand("solve", "Solve one scene and print the result");
   add_case_options(command, o.of_case);
   add_format(command, o);
   command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
@@ -244,7 +244,7 @@ void add_temperature(CLI::App& program, Options& o) {
 }
 
 void add_sweep(CLI::App& program, Options& o) {
-  CLI::App& command = *program.add_subcommand("sweep", "Solve a table of cases, row by row");
+  CLI::App& command = *program.add_subcommand("sweep", "Solve a table of scenes, row by row");
   command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
       ->type_name("NUMBER")
       ->check(whole_number("jobs"));
@@ -277,7 +277,7 @@ constexpr const char* solve_examples = R"(Examples:
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
   thermoroll solve --config wheel.toml --traction 0.4
 
-The last reads the case from a file of lines such as "friction = 0.6" (TOML or INI).
+The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
 Methods: auto takes the least of the next three that meets the tolerance; coupled solves tractions
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
@@ -361,7 +361,7 @@ Command read_command(const std::vector<std::string>& arguments) {
   CLI::App program("Rolling contact of a cylinder with frictional heating", "thermoroll");
   program.set_version_flag("--version", std::string("thermoroll ") + version(),
                            "print the version");
-  program.set_config("--config", "", "read a case from this file (TOML or INI)")
+  program.set_config("--config", "", "read a scene from this file (TOML or INI)")
       ->type_name("FILE")
       ->check(readable_file());
   program.config_formatter(std::make_shared<CaseFile>(program));

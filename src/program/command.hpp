@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md; edit there.
+// Tangled from paper/B-command-line.md; edit there.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// Tangled from paper/B-output.md; edit there.
+// Tangled from paper/C-output.md; edit there.
 #include "program/deliver.hpp"
 
 #include <unistd.h>

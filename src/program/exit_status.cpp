@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md, paper/C-sweeps-and-reliability.md; edit there.
+// Tangled from paper/B-command-line.md, paper/D-sweeps-and-reliability.md; edit there.
 #include "program/exit_status.hpp"
 
 #include <sys/resource.h>

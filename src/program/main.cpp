@@ -1,4 +1,4 @@
-// Tangled from paper/C-sweeps-and-reliability.md; edit there.
+// Tangled from paper/D-sweeps-and-reliability.md; edit there.
 #include <pthread.h>
 #include <unistd.h>
 

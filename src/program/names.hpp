@@ -1,4 +1,4 @@
-// Tangled from paper/A-command-line.md, paper/B-output.md; edit there.
+// Tangled from paper/B-command-line.md, paper/C-output.md; edit there.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tangled from paper/10-coupled-problem.md; edit there.
+// Tangled from paper/12-coupled-problem.md; edit there.
 #include "solver/gauss_legendre.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-// Tangled from paper/16-least-model.md; edit there.
+// Tangled from paper/17-least-model.md; edit there.
 #include "solver/least_model.hpp"
 
 #include <algorithm>

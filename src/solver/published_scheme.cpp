@@ -1,4 +1,4 @@
-// Tangled from paper/07-published-scheme.md; edit there.
+// Tangled from paper/06-published-scheme.md; edit there.
 #include "thermoroll/published_scheme.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tangled from paper/17-one-answer.md; edit there.
+// Tangled from paper/A-one-answer.md; edit there.
 #include "thermoroll/solution.hpp"
 
 #include <algorithm>

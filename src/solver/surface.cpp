@@ -1,4 +1,4 @@
-// Tangled from paper/12-temperatures-and-profiles.md; edit there.
+// Tangled from paper/14-temperatures-and-profiles.md; edit there.
 #include "solver/surface.hpp"
 
 #include <algorithm>

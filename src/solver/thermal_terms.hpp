@@ -1,4 +1,4 @@
-// Tangled from paper/10-coupled-problem.md; edit there.
+// Tangled from paper/12-coupled-problem.md; edit there.
 #pragma once
 
 #include <Eigen/Core>

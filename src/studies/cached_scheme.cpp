@@ -1,4 +1,4 @@
-// Tangled from paper/14-speed-and-accuracy.md; edit there.
+// Tangled from paper/15-speed-and-accuracy.md; edit there.
 #include "studies/cached_scheme.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tangled from paper/13-results.md; edit there.
+// Tangled from paper/08-results.md; edit there.
 #include "studies/claims.hpp"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ bool every_run(const std::vector<Case>& cases, Property holds) {
   return every(cases, [&](const Case& x) { return holds(x.coarse) && holds(x.fine); });
 }
 
-/// Whether the maximum rises from each case to every other that is slower and carries more.
+/// Whether the maximum rises from each scene to every other that is slower and carries more.
 template <class Maximum>
 bool rises(const std::vector<Case>& cases, Maximum of) {
   return every(cases, [&](const Case& x) {
@@ -188,7 +188,7 @@ Claims on_deformation() {
            fixed(x.value(Quantity::gamma0), 5), verdict(vanishes)}};
 }
 
-/// Count a run of case x; returns the error of its T*max in per cent.
+/// Count a run of scene x; returns the error of its T*max in per cent.
 double count(Record& record, const Case& x, const PublishedSolution& run) {
   record.outer = std::max(record.outer, run.outer_iterations);
   record.inner = std::max(record.inner, run.inner_iterations);

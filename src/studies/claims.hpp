@@ -1,4 +1,4 @@
-// Tangled from paper/13-results.md; edit there.
+// Tangled from paper/08-results.md; edit there.
 #pragma once
 
 #include <string>
@@ -28,8 +28,8 @@ std::string verdict(bool holds, const std::string& how = "");
 /// The claim that an iteration on `unknown` takes at most so many steps; found are those it takes.
 Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged);
 
-/// How the published scheme fares over the paper's sixteen cases with 50 and with 200 nodes, run to
-/// 0.1 %.
+/// How the published scheme fares over the paper's sixteen scenes with 50 and with 200 nodes, run
+/// to 0.1 %.
 struct Record {
   int inner = 0;            ///< the largest number of inner steps
   int outer = 0;            ///< the largest number of outer steps
@@ -43,11 +43,11 @@ Record scheme_record();
 /// 0 < Q* < 0.6.
 double rolling_to_sliding(double q);
 
-/// 1 - kappa to first order in H at high speed, @eq:first-order, in the paper's case with
+/// 1 - kappa to first order in H at high speed, @eq:first-order, in the paper's scene with
 /// 0 < Q* < 0.6.
 double first_order_load_change(double q);
 
-/// gamma0 to first order in H at high speed, @eq:first-order, in the paper's case with
+/// gamma0 to first order in H at high speed, @eq:first-order, in the paper's scene with
 /// 0 < Q* < 0.6.
 double first_order_gamma0(double q);
 

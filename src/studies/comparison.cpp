@@ -1,4 +1,4 @@
-// Tangled from paper/14-speed-and-accuracy.md, paper/16-least-model.md; edit there.
+// Tangled from paper/15-speed-and-accuracy.md, paper/17-least-model.md; edit there.
 #include "studies/comparison.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tangled from paper/14-speed-and-accuracy.md, paper/16-least-model.md; edit there.
+// Tangled from paper/15-speed-and-accuracy.md, paper/17-least-model.md; edit there.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace thermoroll {
 
-/// A case in which methods are compared; f = 0.6, Q* = 0.5, corrected sign.
+/// A scene in which methods are compared; f = 0.6, Q* = 0.5, corrected sign.
 struct Regime {
   const char* name;
   double peclet, heating;

@@ -1,4 +1,4 @@
-// Tangled from paper/D-data-files.md; edit there.
+// Tangled from paper/F-data-files.md; edit there.
 #pragma once
 
 #include <functional>
@@ -28,7 +28,9 @@ void row(std::ostream& out, const First& first, const Rest&... rest) {
 /// n + 1 equidistant points from low to high.
 std::vector<double> grid(double low, double high, int n);
 
-/// Add the numbers that the prose quotes of @sec:failures and of @sec:least-model, as strings.
+/// Add the numbers that the prose quotes of @sec:resolution, @sec:failures and @sec:least-model, as
+/// strings.
+void values_on_resolution(nlohmann::ordered_json& v);
 void values_on_failures(nlohmann::ordered_json& v);
 void values_on_least_model(nlohmann::ordered_json& v);
 

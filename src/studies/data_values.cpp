@@ -1,4 +1,4 @@
-// Tangled from paper/D-data-files.md; edit there.
+// Tangled from paper/F-data-files.md; edit there.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -151,7 +151,7 @@ void values(std::ostream& out) {
   for (const auto add :
        {values_of_steel, values_with_heat, values_of_the_largest_temperature, values_in_degrees,
         values_of_the_nodes, values_of_the_load_ratio, values_to_first_order,
-        values_of_what_is_open, values_on_failures, values_on_least_model})
+        values_of_what_is_open, values_on_resolution, values_on_failures, values_on_least_model})
     add(v);
   out << v.dump(2) << '\n';
 }

@@ -1,4 +1,4 @@
-// Tangled from paper/15-where-methods-fail.md; edit there.
+// Tangled from paper/16-where-methods-fail.md; edit there.
 #pragma once
 
 namespace thermoroll {

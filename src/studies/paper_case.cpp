@@ -1,4 +1,4 @@
-// Tangled from paper/D-data-files.md; edit there.
+// Tangled from paper/F-data-files.md; edit there.
 #include "studies/paper_case.hpp"
 
 namespace thermoroll::paper {

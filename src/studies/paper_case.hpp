@@ -1,4 +1,4 @@
-// Tangled from paper/D-data-files.md; edit there.
+// Tangled from paper/F-data-files.md; edit there.
 #pragma once
 
 #include "thermoroll/carter.hpp"
@@ -6,7 +6,7 @@
 #include "thermoroll/published_scheme.hpp"
 #include "thermoroll/scene.hpp"
 
-/// The case that the paper computes. Dimensionless; q is Q*, 0 < q < 0.6, and pe the Péclet number.
+/// The scene that the paper computes. Dimensionless: q is Q*, 0 < q < 0.6; pe is the Péclet number.
 namespace thermoroll::paper {
 
 inline constexpr double friction = 0.6;

@@ -1,4 +1,4 @@
-// Tangled from paper/15-where-methods-fail.md; edit there.
+// Tangled from paper/11-what-the-grid-sees.md; edit there.
 #pragma once
 
 #include "thermoroll/carter.hpp"

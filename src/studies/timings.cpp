@@ -1,4 +1,4 @@
-// Tangled from paper/E-benchmarks.md; edit there.
+// Tangled from paper/G-benchmarks.md; edit there.
 #include "studies/timings.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tangled from paper/F-fast-kernels.md; edit there.
+// Tangled from paper/E-fast-kernels.md; edit there.
 #pragma once
 
 #include <cstring>

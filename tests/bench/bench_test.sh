@@ -26,7 +26,7 @@ TimesCanBeRead() {
   awk -F, 'NR > 1 && !($2 > 0 && $2 < 10) { exit 1 }' "$work/times.csv" || fail "$(cat "$work/times.csv")"
 }
 
-# Each but the longest runs, and reports no error but that the scheme does not settle at some case.
+# Each but the longest runs, and reports no error but that the scheme does not settle in some scene.
 EachRuns() {
   local choice='--benchmark_filter=-random|n:[248]00'
   "$bench" "$choice" --benchmark_min_time=0 --benchmark_format=csv >"$work/times" 2>"$work/log" || fail "$(cat "$work/log")"

@@ -1,5 +1,5 @@
-// The command line: one argument a line. It is read, and so are the case and the points in it; none
-// of it is solved.
+// The command line: one argument a line. It is read, and so are the scene and the points in it;
+// none of it is solved.
 #include <sstream>
 #include <stdexcept>
 #include <vector>

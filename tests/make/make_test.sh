@@ -379,7 +379,7 @@ WhereNamesTheChaptersLine() { # of the text
 
 # The extracts in the chapter on the build stand in the Makefile, line by line.
 ChapterQuotesTheFiles() { # of the text
-  awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/G-build.md >"$work/quoted"
+  awk '/^``` make$/ { inside = 1; next } /^```$/ { inside = 0 } inside' paper/H-build.md >"$work/quoted"
   [ -s "$work/quoted" ] || fail "the chapter quotes nothing"
   local line
   while IFS= read -r line; do
@@ -393,7 +393,7 @@ PackagesAreExplained() { # of the text
     grep -x '[a-z0-9+-]\+' | sort -u >"$work/listed"
   [ -s "$work/listed" ] || fail "no packages found in the Makefile"
   local text
-  for text in paper/G-build.md README.md; do
+  for text in paper/H-build.md README.md; do
     awk '/\| *package *\|| Debian package \|/ { inside = 1; next } !/^\|/ { inside = 0 } inside' $text |
       cut -d'|' -f2 | grep -o '`[^`]*`' | tr -d '`' | sort | diff "$work/listed" - ||
       fail "$text explains other packages than the Makefile lists"

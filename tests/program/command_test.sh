@@ -297,7 +297,7 @@ DimensionalDataGiveTheSameCase() {
     sed '/"physical"/,$d' out >without
     answers solve --friction 0.6 --traction 0.5 --peclet "$(value peclet)" \
       --heating "$(value heating)" --method $method --format json
-    diff <(tr -d ',' <without) <(sed '$d' out | tr -d ',') || fail "another case: $method"
+    diff <(tr -d ',' <without) <(sed '$d' out | tr -d ',') || fail "another scene: $method"
   done
 }
 
@@ -322,7 +322,7 @@ SiResultsHaveTheirUnits() {
   relative max_heat_flux "$flux * 0.6 * 22.2 * $strain * 1.2e7 / 5.5e-3"
 }
 
-# A radius and the half-width found for it are the same case.
+# A radius and the half-width found for it are the same scene.
 RadiusAgreesWithHalfWidth() {
   local method radius
   for method in $methods; do
@@ -437,7 +437,7 @@ TemperatureMeetsNodes() {
 
 # The chapter's own file, as wheel.toml.
 write_wheel() {
-  code toml A-command-line.md >wheel.toml
+  code toml B-command-line.md >wheel.toml
   grep -q '^load = ' wheel.toml || fail "the chapter has no case file"
 }
 
@@ -446,23 +446,23 @@ CaseFile() {
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   cp out by-options
   answers solve --config wheel.toml --format json
-  cmp out by-options || fail "the file is another case"
+  cmp out by-options || fail "the file is another scene"
   answers --config wheel.toml solve --format json
-  cmp out by-options || fail "--config before the subcommand is another case"
+  cmp out by-options || fail "--config before the subcommand is another scene"
   sed 's/#/;/; s/ *=/=/' wheel.toml >wheel.ini
   sed -i 's/ *;.*//' wheel.ini
   answers solve --config wheel.ini --format json
-  cmp out by-options || fail "the INI file is another case"
+  cmp out by-options || fail "the INI file is another scene"
   { echo '[temperature]'; echo 'at = 0.5'; echo '[solve]'; echo 'format = "json"'; cat wheel.toml; } >both.toml
   answers solve --config both.toml
-  cmp out by-options || fail "the section is another case"
+  cmp out by-options || fail "the section is another scene"
   sed -i 's/= 0.6/= 0.7/' wheel.toml
   answers solve --config wheel.toml --format json --friction 0.6
   cmp out by-options || fail "the option does not take precedence"
   answers temperature --config wheel.toml --at 0.5
   { printf '\xef\xbb\xbf'; sed 's/= 0.7/= 0.6/' wheel.toml; } >marked.toml
   answers solve --config marked.toml --format json
-  cmp out by-options || fail "the byte-order mark makes another case"
+  cmp out by-options || fail "the byte-order mark makes another scene"
 }
 
 BadCaseFiles() {

@@ -5,7 +5,7 @@ source tests/program/program.sh
 
 # The chapter's table and as many copies of its rows as asked for.
 write_scenes() { # write_scenes [COPIES]
-  code csv C-sweeps-and-reliability.md >chapter.csv
+  code csv D-sweeps-and-reliability.md >chapter.csv
   grep -q '^friction,' chapter.csv || fail "the chapter has no table"
   { head -1 chapter.csv; for _ in $(seq "${1:-1}"); do tail -n +2 chapter.csv; done; } >scenes.csv
 }
@@ -504,7 +504,7 @@ END
   write_scenes 40
   sweeps 4
   mv results.csv expected
-  code sh C-sweeps-and-reliability.md >commands
+  code sh D-sweeps-and-reliability.md >commands
 }
 
 WorksWithParallel() { # slow

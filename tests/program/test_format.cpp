@@ -38,7 +38,7 @@ std::vector<std::string> line_of(const std::string& text, const std::string& fir
 
 }  // namespace
 
-// In these cases no two of a solution's counts are the same, so that none can stand for another.
+// In these scenes no two of a solution's counts are the same, so that none can stand for another.
 TEST(Output, CountsAreThoseOfTheSolution) {
   const Solution x = solve(scene, {Method::coupled}), y = solve(scene, scheme);
   const auto& coupled = std::get<CoupledSolution>(x.found);
@@ -111,7 +111,7 @@ TEST(Output, QuotedCellsReadBack) {
   }
 }
 
-// A single number of a case in SI units or of its errors that is not finite is refused by name.
+// A single number of a scene in SI units or of its errors that is not finite is refused by name.
 TEST(Output, NoResultThatIsNotFinite) {
   const PhysicalCase c = wheel_on_rail();
   const Solution x =

@@ -192,6 +192,20 @@ END
   expect_html '<a href="#eq:a">(1)</a>' 'id="eq:a"' '<a href="#sec:last">' 'id="tbl:t"'
 }
 
+# A part has its name in the contents and before its first chapter, and no number goes by it.
+PartsAreNamed() {
+  chapter <<'END'
+# First {#sec:first part="Part I. One"}
+
+# Second {#sec:second}
+
+# Third {#sec:third part="Part II. Two"}
+END
+  expect 'Part I. One 1 First 2 Second Part II. Two 3 Third'
+  expect_html '<strong>Part I. One</strong>' '<div class="part-title">' '<strong>Part II. Two</strong>'
+  ! grep -q 'data-part' page.html || fail "the attribute is left over"
+}
+
 # What browsers draw or break otherwise than it is meant is written so that they do not.
 FormulasAreMended() {
   chapter <<'END'

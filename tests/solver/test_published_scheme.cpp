@@ -508,7 +508,7 @@ TEST(PublishedScheme, SaysWhenItDoesNotConverge) {
   EXPECT_LE(hot.outer_iterations, 35);
   EXPECT_EQ(hot.phi.size(), 100) << "the last iterate is there";
 
-  // A case that does settle, stopped early by either bound.
+  // A scene that does settle, stopped early by either bound.
   const Driven scene{friction, 0.5, 100, 0.0175};
   options.nodes = 20;
   const PublishedSolution good = solve_published(scene, Formulation::printed, options);

@@ -33,7 +33,7 @@ std::vector<Driven> random_scenes(int count) {
   return scenes;
 }
 
-/// A case with these groups at the load and the half-width of the wheel.
+/// A scene with these groups at the load and the half-width of the wheel.
 PhysicalCase case_of(const Driven& scene) {
   PhysicalCase c = wheel_on_rail();
   c.speed = 2 * c.diffusivity * scene.peclet / c.half_width;
@@ -172,7 +172,7 @@ TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
 }
 
 // Where the scheme diverges, its load ratio may be negative, and no half-width belongs to that. The
-// heat of this case is far beyond any, and seven nodes are too few.
+// heat of this scene is far beyond any, and seven nodes are too few.
 TEST(Solution, NoHalfWidthWithoutALoadRatio) {
   const Driven scene{0.1, 0.03, 10, 1000};
   const PhysicalCase c = case_of(scene);
@@ -417,7 +417,7 @@ TEST(Solution, PeaksLieOnTheProfile) {
 }
 
 // With heat and both signs, from one end to the other: steel, where heat matters a little, and a
-// case where it matters much. The errors are of the order of the tolerance.
+// scene where it matters much. The errors are of the order of the tolerance.
 TEST(Solution, PeakErrorsCoverATighterSolution) {
   for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
     for (const double share : ends)
@@ -436,7 +436,7 @@ TEST(Solution, PeakErrorsCoverATighterSolution) {
       }
 }
 
-// Random cases in SI units, with heat from none to strong, against a tolerance of 1e-9. The error
+// Random scenes in SI units, with heat from none to strong, against a tolerance of 1e-9. The error
 // is an estimate: of the numbers that have one, one in a hundred may exceed it and none by ten
 // times.
 TEST(Solution, SiErrorsCoverATighterSolution) {
@@ -468,8 +468,8 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
   EXPECT_LE(100 * exceeded, compared);
 }
 
-// The case of a radius, solved loosely, is the case of the half-width from which that radius came:
-// all that is reported of the latter, tightly, lies within the errors of the former.
+// The scene of a radius, solved loosely, is the scene of the half-width from which that radius
+// came: all that is reported of the latter, tightly, lies within the errors of the former.
 TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
   for (const double load : {1.2e7, 1e8})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {

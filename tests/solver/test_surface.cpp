@@ -1,5 +1,5 @@
-// Temperatures along the surface by rays, against the adaptive quadrature of chapter 9, which knows
-// nothing of rays, of the places of their nodes or of Legendre coefficients.
+// Temperatures along the surface by rays, against the adaptive quadrature of @sec:temperature,
+// which knows nothing of rays, of the places of their nodes or of Legendre coefficients.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -201,7 +201,7 @@ TEST(Claims, VerdictsFollowFromTheTable) {
 }
 
 // The paper's counts are bounds for the record, and its errors those of T*max: the largest of the
-// sixteen is no smaller than that of any case, here the last two against the quadrature of the
+// sixteen is no smaller than that of any scene, here the last two against the quadrature of the
 // closed form, from which heat moves T*max by about f H/(2 pi) = 0.2 % of it.
 TEST(Claims, RecordIsThatOfTheRuns) {
   const thermoroll::Record record = thermoroll::scheme_record();

@@ -1,4 +1,4 @@
-// Tangled from paper/05-integral-equations.md; edit there.
+// Tangled from paper/04-integral-equations.md; edit there.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Tangled from paper/10-coupled-problem.md, paper/11-border-and-error.md, paper/12-temperatures-and-profiles.md; edit there.
+// Tangled from paper/12-coupled-problem.md, paper/13-border-and-error.md, paper/14-temperatures-and-profiles.md; edit there.
 #pragma once
 
 #include <optional>

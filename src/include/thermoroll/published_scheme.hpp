@@ -1,4 +1,4 @@
-// Tangled from paper/07-published-scheme.md; edit there.
+// Tangled from paper/06-published-scheme.md; edit there.
 #pragma once
 
 #include <vector>

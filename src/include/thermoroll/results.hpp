@@ -1,4 +1,4 @@
-// Tangled from paper/11-border-and-error.md; edit there.
+// Tangled from paper/13-border-and-error.md; edit there.
 #pragma once
 
 #include <Eigen/Core>

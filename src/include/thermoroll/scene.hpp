@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/05-integral-equations.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md; edit there.
 #pragma once
 
 #include <string>
@@ -36,7 +36,7 @@ struct Units {
   double temperature;  ///< heat_flux a / K, of T*, degree C
 };
 
-/// The dimensionless groups of a case, @eq:groups.
+/// The dimensionless groups of a scene, @eq:groups.
 Scene scene_of(const PhysicalCase& c, double friction);
 
 /// What one dimensionless unit is worth in this case.

@@ -1,4 +1,4 @@
-// Tangled from paper/17-one-answer.md; edit there.
+// Tangled from paper/A-one-answer.md; edit there.
 #pragma once
 
 #include <optional>
@@ -71,7 +71,7 @@ Peaks largest(const SmoothTractions& by, double friction);
 /// All profiles along the contact. Throws std::invalid_argument for the scheme.
 Profile profile(const Solution& x);
 
-/// What is reported of a case in SI units, beside the dimensionless results.
+/// What is reported of a scene in SI units, beside the dimensionless results.
 struct PhysicalResults {
   double half_width;               ///< a, m
   double radius;                   ///< R of @eq:kappa, m
@@ -89,7 +89,7 @@ struct FoundInSi {
   std::optional<PhysicalResults> error;
 };
 
-/// Results and peaks of a case in SI units; x solves scene_of(c, ...).
+/// Results and peaks of a scene in SI units; x solves scene_of(c, ...).
 /// The half-width of c is exact, or it is that of half_width_of_radius().
 FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius = false);
 

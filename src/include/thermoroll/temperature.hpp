@@ -1,4 +1,4 @@
-// Tangled from paper/09-temperature.md; edit there.
+// Tangled from paper/07-temperature.md; edit there.
 #pragma once
 
 #include "thermoroll/heat_flux.hpp"

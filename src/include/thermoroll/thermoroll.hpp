@@ -1,4 +1,4 @@
-// Tangled from paper/G-build.md; edit there.
+// Tangled from paper/H-build.md; edit there.
 #pragma once
 
 // Solve with solve(); results are dimensionless. A program that links the library has GSL's error
