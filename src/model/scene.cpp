@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
 #include "thermoroll/scene.hpp"
 
 #include <cmath>
@@ -40,6 +40,10 @@ void check(const Scene& scene) {
   require(scene.friction > 0, "friction", scene.friction, "positive");
   require(scene.peclet > 0, "peclet", scene.peclet, "positive");
   require(scene.heating >= 0, "heating", scene.heating, "zero or positive");
+  const Roller& roller = scene.roller;
+  require(roller.conductivity_ratio >= 0, "conductivity-ratio", roller.conductivity_ratio,
+          "zero or positive");
+  require(roller.heating >= 0, "heating-2", roller.heating, "zero or positive");
 }
 
 void check_but_half_width(const PhysicalCase& c) {
@@ -55,6 +59,20 @@ void check_but_half_width(const PhysicalCase& c) {
 void check(const PhysicalCase& c) {
   check_but_half_width(c);
   require(c.half_width > 0, "half-width", c.half_width, "positive");
+}
+
+double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }
+
+double heating_of_both(const Scene& scene) {
+  const double share = heat_share(scene);
+  return share * scene.heating + (1 - share) * scene.roller.heating;
+}
+
+double strain_share(const Scene& scene) {
+  const double share = heat_share(scene), both = heating_of_both(scene);
+  if (both == 0) return 0;
+  const double difference = share * scene.heating - (1 - share) * scene.roller.heating;
+  return sign_of(scene.direction) * difference / both;
 }
 
 }  // namespace thermoroll

@@ -34,7 +34,7 @@ double unresolved(double tail, int n, bool slow) {
 
 /// Strong heating, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
-  return scene.friction * scene.heating > 1 || std::min(at.slip, at.stick) < 0.1;
+  return scene.friction * heating_of_both(scene) > 1 || std::min(at.slip, at.stick) < 0.1;
 }
 
 /// How much of a change since the last grid is believed to be the error of this one of n unknowns.
@@ -77,7 +77,7 @@ Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
   Results value;
   value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
-      found.peak.value, at.c0() + at.slip * top.t(), 0;
+      heat_share(grid.scene) * found.peak.value, at.c0() + at.slip * top.t(), 0;
   return value;
 }
 
@@ -161,7 +161,7 @@ void check_slips_in_part(const Scene& scene, Formulation formulation, int n, dou
 /// std::runtime_error where there is no border, and std::invalid_argument for too large a creep.
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
-  const bool easy = digits < 4 && scene.friction * scene.heating < 0.3;
+  const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
   Prescribed near = given;  // a creep beyond Carter's starts close to full slip
   if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
   const Carter cold = carter_given(scene.friction, near);
@@ -242,16 +242,15 @@ ContactGrid grid_of(const CoupledSolution& x, int n) {
 }  // namespace
 
 void check(double friction, const Prescribed& given) {
-  const std::string no_braking = " (braking is not modelled)",
-                    below = "above 0 and below the friction";
+  const std::string below = "above 0 and below the friction";
   const double x = given.value;
   const Quantity q = given.quantity;
   require(friction > 0, "friction", friction, "positive");
   require(q == traction || q == creep || q == stick_slip_border, "given quantity",
           static_cast<int>(q), "traction, creep or border");
-  if (q == traction) require(x > 0, "traction", x, below + no_braking);
+  if (q == traction) require(x > 0, "traction", x, below);
   if (q == traction) require(x < friction, "traction", x, below + ", " + shortest(friction));
-  if (q == creep) require(x > 0, "creep", x, "positive" + no_braking);
+  if (q == creep) require(x > 0, "creep", x, "positive");
   if (q == stick_slip_border) require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
 }
 
@@ -372,6 +371,7 @@ Profile profile(const CoupledSolution& x) {
         temperature_and_slope(slip, x.scene.peclet, x.h, left, 2 - left, gap, grid.rules.fine)
             .value;
   }
+  profile.temperature *= heat_share(x.scene);
   return profile;
 }
 

@@ -129,7 +129,7 @@ CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd
                      const Prescribed& given) {
   const ZoneLengths at = zones_of(c);
   CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, {}, {}};
-  x.value(Quantity::max_temperature) = top.value;
+  x.value(Quantity::max_temperature) = heat_share(scene) * top.value;
   x.value(Quantity::max_temperature_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
   const Results scale = scale_of(x.value);
   const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
@@ -150,7 +150,7 @@ std::string brief(double x) {
 
 double expected_change(const Scene& scene, const Carter& c) {
   const double half = c.slip_half_width, own_peclet = 2 * half * scene.peclet;
-  return scene.friction * scene.heating * std::min(std::sqrt(half), own_peclet);
+  return scene.friction * heating_of_both(scene) * std::min(std::sqrt(half), own_peclet);
 }
 
 double largest_difference(const Results& x, const Results& exact) {
@@ -162,10 +162,11 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
   const Carter c = carter_given(scene.friction, given);
   const ZoneLengths at = zones_of(c);
   const HottestPoint top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
-  const bool hot = scene.heating > 0;
+  const bool hot = heating_of_both(scene) > 0;
   const double left_out = hot ? largest_change(correct(scene, formulation, given, 6)) : 0;
   const double error = 1.5 * left_out + 0.1 * tolerance;
-  const Scene cold{scene.friction, scene.peclet, 0};  // as its tractions are
+  Scene cold = scene;  // as its tractions are
+  cold.heating = cold.roller.heating = 0;
   return rung(cold, formulation, carter_h(at, scene.friction), carter_values(c), c, top, error,
               given);
 }

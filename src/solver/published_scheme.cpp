@@ -26,7 +26,8 @@ struct Problem {
 
 /// sigma_N f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is not hot.
 MatrixXd slope_matrix(const Problem& problem, const PublishedSolution& solution) {
-  const auto& [friction, peclet, heating] = problem.scene;
+  const double friction = problem.scene.friction, peclet = problem.scene.peclet;
+  const double heating = problem.scene.heating;
   const auto& [t, w, s] = solution.grid;
   MatrixXd n1 = MatrixXd::Zero(s.size(), t.size());
   for (Index k = 0; k < t.size() && t(k) > solution.c0; ++k)
@@ -50,7 +51,8 @@ void solve_normal(const Problem& problem, PublishedSolution& solution) {
 
 /// (2f/pi) kappa s - f Pe H sum_k N*(t_k - s) g_k.
 double rigid_strain(const Problem& problem, const PublishedSolution& solution, double s) {
-  const auto& [friction, peclet, heating] = problem.scene;
+  const double friction = problem.scene.friction, peclet = problem.scene.peclet;
+  const double heating = problem.scene.heating;
   const VectorXd heat = node_heat(solution);
   double sum = 0;
   for (Index k = 0; k < heat.size() && solution.grid.t(k) > solution.c0; ++k) {

@@ -1,4 +1,4 @@
-// Tangled from paper/A-one-answer.md; edit there.
+// Tangled from paper/19-braking-and-alike-bodies.md, paper/A-one-answer.md; edit there.
 #include "thermoroll/solution.hpp"
 
 #include <algorithm>
@@ -49,12 +49,12 @@ Solution solve_closed_form(const Scene& scene, const Approach& approach, const P
   const Carter c = carter_given(scene.friction, given);
   const Peak top = hottest_point(smooth_flux(c), scene.peclet, 1e-9);
   Results value = carter_values(c), error = Results::Zero();
-  value(max_temperature) = top.temperature.value;
+  value(max_temperature) = heat_share(scene) * top.temperature.value;
   value(max_temperature_at) = top.at;
   error(stick_slip_border) = error(slip_length) = 3 * epsilon;
   for (const Quantity q : {traction, creep_constant, creep}) error(q) = 4 * epsilon * value(q);
   error(heat_integral) = 8 * epsilon * value(heat_integral);
-  error(max_temperature) = top.temperature.error;
+  error(max_temperature) = heat_share(scene) * top.temperature.error;
   error(max_temperature_at) = top.at_error;
   set_given(given, value, error);
   return {scene, approach, value, error, c, true, Model::closed_form, "asked for"};
@@ -86,6 +86,44 @@ Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approa
   return solution;
 }
 
+void check_with_sign(double friction, const Prescribed& given) {
+  const double x = given.value;
+  const std::string range = "between -" + shortest(friction) + " and " + shortest(friction);
+  if (given.quantity == traction)
+    require(0 < std::abs(x) && std::abs(x) < friction, "traction", x, range + ", the friction");
+  if (given.quantity == creep) require(x != 0, "creep", x, "positive, or negative for braking");
+}
+
+Scene directed(Scene scene, const Prescribed& given) {
+  if (given.quantity == stick_slip_border) return scene;
+  scene.direction = given.value < 0 ? Direction::braking : Direction::driving;
+  return scene;
+}
+
+void turn(Solution& x) {
+  const double sign = sign_of(x.scene.direction);
+  x.value(traction) *= sign;
+  x.value(creep) *= sign;
+}
+
+void check_paper_pair(const Scene& scene) {
+  const Roller& roller = scene.roller;
+  if (roller.conductivity_ratio > 0 || roller.heating > 0 || scene.direction == Direction::braking)
+    throw std::invalid_argument(
+        "gauss-chebyshev is for an insulated cylinder that drives, as in the paper");
+}
+
+/// The solution of a scene that drives, or of a braking one turned round.
+Solution solve_turned(const Scene& scene, const Prescribed& given, const Approach& approach) {
+  check(scene, given);
+  if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
+  if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
+  check_paper_pair(scene);
+  if (given.quantity != traction)
+    throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
+  return solve_gauss_chebyshev(scene, given.value, approach);
+}
+
 Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::vector<double>& at) {
   Curve curve{{}, x.converged};
   for (const double s : at) {
@@ -109,7 +147,7 @@ Profile carter_profile(const Scene& scene, const Carter& c) {
   constexpr Eigen::Index zone = 100;  // intervals to each zone
   const Eigen::ArrayXd s = carter_points(c, zone);
   const SurfaceCurve surface = surface_curve(smooth_flux(c), scene.peclet, s, 1e-9);
-  Profile x{s, s, s, s, s, surface.temperature};
+  Profile x{s, s, s, s, s, heat_share(scene) * surface.temperature};
   for (Eigen::Index i = 0; i < s.size(); ++i) {
     x.pressure(i) = hertz_pressure(s(i));
     x.traction(i) = carter_traction(c, s(i));
@@ -212,22 +250,27 @@ PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit
 }  // namespace
 
 Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
-  check(scene, given);
-  if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
-  if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
-  if (given.quantity != traction)
-    throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
-  return solve_gauss_chebyshev(scene, given.value, approach);
+  check(scene);
+  check_with_sign(scene.friction, given);
+  const Scene turned = directed(scene, given);
+  const bool braking = given.quantity != stick_slip_border && given.value < 0;
+  Solution x = solve_turned(turned, {given.quantity, braking ? -given.value : given.value}, approach);
+  turn(x);
+  return x;
 }
 
 Profile profile(const Solution& x) {
-  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) {
-    return profile(*found);
+  if (std::holds_alternative<PublishedSolution>(x.found))
+    throw std::invalid_argument(
+        "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
+        "temperature is infinite");
+  const auto* found = std::get_if<CoupledSolution>(&x.found);
+  Profile y = found ? profile(*found) : carter_profile(x.scene, std::get<Carter>(x.found));
+  if (x.scene.direction == Direction::braking) {
+    y.traction *= -1;
+    y.slip *= -1;
   }
-  if (const auto* closed = std::get_if<Carter>(&x.found)) return carter_profile(x.scene, *closed);
-  throw std::invalid_argument(
-      "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
-      "temperature is infinite");
+  return y;
 }
 
 Peaks largest(const SmoothTractions& by, double friction) {
@@ -245,13 +288,20 @@ Peaks largest(const SmoothTractions& by, double friction) {
   return peak;
 }
 
-FoundPeaks peaks(const Solution& x) {
+/// The peaks of a scene that is turned round, if it brakes.
+FoundPeaks peaks_turned(const Solution& x) {
   if (const auto* scheme = std::get_if<PublishedSolution>(&x.found))
     return {scheme_peaks(*scheme, x.scene.friction), std::nullopt};
   if (const auto* found = std::get_if<CoupledSolution>(&x.found)) return found_peaks(x, *found);
   const Peaks exact = carter_peaks(std::get<Carter>(x.found));
   const double e = 8 * epsilon;
   return {exact, Peaks{e * exact.pressure, e * exact.traction, e * exact.heat_flux}};
+}
+
+FoundPeaks peaks(const Solution& x) {
+  FoundPeaks found = peaks_turned(x);
+  found.value.traction *= sign_of(x.scene.direction);
+  return found;
 }
 
 FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius) {
@@ -274,7 +324,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius
        {&PhysicalResults::creep_ratio, &PhysicalResults::hertz_pressure,
         &PhysicalResults::max_pressure, &PhysicalResults::max_traction,
         &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius})
-    error.*field += 2 * of_size * y.value.*field;
+    error.*field += 2 * of_size * std::abs(y.value.*field);
   return y;
 }
 
@@ -312,6 +362,7 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const Carter* closed = std::get_if<Carter>(&x.found);
   const double flux_error = coupled ? (*x.error)(max_temperature) : 0;
+  const double share = heat_share(x.scene);
   Curve curve;
   if (depth == 0) {
     const auto points = static_cast<Eigen::Index>(at.size());
@@ -320,12 +371,12 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
     const SurfaceCurve found = surface_curve(flux, x.scene.peclet, s, tolerance);
     for (Eigen::Index i = 0; i < s.size(); ++i)
-      curve.points.push_back({s(i), found.temperature(i), found.error + flux_error});
+      curve.points.push_back({s(i), share * found.temperature(i), share * found.error + flux_error});
   } else {
     const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
     for (const double s : at) {
       const Estimate t = temperature(flux, x.scene.peclet, s, depth);
-      curve.points.push_back({s, t.value, t.error + flux_error});
+      curve.points.push_back({s, share * t.value, share * t.error + flux_error});
     }
   }
   return curve;

@@ -45,8 +45,8 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   }
   const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
   x.f.bottomRows(m).noalias() = n1 * heat, x.g.bottomRows(m).noalias() = n2 * heat;
-  const double strength = scene.friction * scene.peclet * scene.heating * slip;
-  x.g = strength * slip * (x.g / pi + in_n * x.f);
+  const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
+  x.g = strength * slip * (strain_share(scene) * x.g / pi + in_n * x.f);
   x.f *= -sign * strength * slip, x.df *= -sign * strength;
   return x;
 }

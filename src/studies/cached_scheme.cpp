@@ -86,7 +86,8 @@ struct CachedProblem {
 
 /// f Pe H N from each of the first nodes at the point s, @eq:N.
 ArrayXd strain_row(const CachedProblem& cached, const Grid& g, double s, Index count) {
-  const auto& [friction, peclet, heating] = cached.scene;
+  const double friction = cached.scene.friction, peclet = cached.scene.peclet;
+  const double heating = cached.scene.heating;
   const auto [n1, n2] = cached.row(g, peclet, s, count);
   return friction * peclet * heating * (n2 / pi - slope_sign(cached.formulation) * friction * n1);
 }

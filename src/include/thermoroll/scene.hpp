@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
 #pragma once
 
 #include <string>
@@ -7,13 +7,37 @@ namespace thermoroll {
 
 inline constexpr double pi = 3.14159265358979323846;
 
+/// The cylinder as a conductor, of the same diffusivity as the half-space.
+struct Roller {
+  double conductivity_ratio = 0;  ///< K2 / K1 >= 0; 0 for an insulator
+  double heating = 0;             ///< H2 = 2 alpha2 (1+nu) k P / (a K2) >= 0
+};
+
+/// Whether the friction on the half-space acts along +x, as a driven cylinder's does, or against.
+enum class Direction { driving, braking };
+
 /// A rolling contact, in three of the dimensionless groups of @eq:groups; the fourth, the traction,
 /// is prescribed or found.
 struct Scene {
   double friction;  ///< f > 0
   double peclet;    ///< Pe = V a / 2k > 0
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
+  Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct
+  Direction direction = Direction::driving;
 };
+
+/// The share of the heat that flows into the half-space, K1 / (K1 + K2), @eq:heat-share.
+double heat_share(const Scene& scene);
+
+/// The heating of the slopes of both bodies together, @eq:heating-of-both.
+double heating_of_both(const Scene& scene);
+
+/// The thermal strain in units of what this heating gives to the paper's driven pair,
+/// @eq:strain-share; from -1 to 1, and 0 without heating.
+double strain_share(const Scene& scene);
+
+/// 1 for driving, -1 for braking.
+constexpr double sign_of(Direction direction) { return direction == Direction::driving ? 1 : -1; }
 
 /// A rolling contact in SI units (@tbl:steel). All fields positive, but expansion and
 /// poisson may be zero; poisson below 1/2.
