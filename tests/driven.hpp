@@ -6,7 +6,7 @@
 struct Driven {
   double friction, traction, peclet, heating;
   operator thermoroll::Scene() const { return {friction, peclet, heating}; }
-  operator thermoroll::Prescribed() const { return {Quantity::traction, traction}; }
+  operator thermoroll::Prescribed() const { return {thermoroll::Quantity::traction, traction}; }
 };
 
 inline thermoroll::Solution solve(const Driven& x, const thermoroll::Approach& approach = {}) {

@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::array<double, 5> x{};
   if (size != 1 + sizeof x) return 0;
   std::memcpy(x.data(), data + 1, sizeof x);
-  const Quantity kinds[] = {traction, creep, stick_slip_border};
+  const Quantity kinds[] = {Quantity::traction, Quantity::creep, Quantity::stick_slip_border};
   const Formulation formulation = data[0] % 2 == 0 ? Formulation::corrected : Formulation::printed;
   const Prescribed given{kinds[data[0] / 2 % 3], x[1]};
   fuzz::done_or_refused<std::invalid_argument, std::runtime_error, NotResolved>([&] {

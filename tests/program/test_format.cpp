@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 using namespace thermoroll;
+using enum thermoroll::Quantity;
 
 namespace {
 
@@ -82,7 +83,8 @@ TEST(Output, TextHasTheErrorsOfTheSolution) {
 TEST(Output, TextTellsTheChosenModelAndWhy) {
   const Solution x = solve(scene);
   const std::string text = present(x, {}, Format::text);
-  EXPECT_EQ(line_of(text, "model"), (std::vector<std::string>{"model", x.model}));
+  EXPECT_EQ(line_of(text, "model"),
+            (std::vector<std::string>{"model", name_of(model_names, *x.model)}));
   EXPECT_NE(text.find(x.reason), std::string::npos);
   EXPECT_FALSE(x.reason.empty());
   EXPECT_TRUE(line_of(present(solve(scene, {Method::coupled}), {}, Format::text), "model").empty());

@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   soak::Totals totals;
-  const soak::Sample first{{0.6, 100, 0.1}, {Quantity::traction, 0.5}, {}, 1e-4};
+  const soak::Sample first{{0.6, 100, 0.1}, {thermoroll::Quantity::traction, 0.5}, {}, 1e-4};
   soak::examine(0, first, soak::Depth::energy, totals);  // fills tables
   totals = {};
   std::vector<Block> blocks(std::max(1u, std::thread::hardware_concurrency()));

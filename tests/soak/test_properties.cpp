@@ -58,9 +58,9 @@ TEST(Property, ScenesAreSpread) {
                 heating <= 2e3 && 1e-8 <= x.tolerance && x.tolerance <= 1e-2)
         << soak::text(x);
     EXPECT_NO_THROW(thermoroll::check(x.scene, x.given)) << soak::text(x);
-    by_creep += x.given.quantity == Quantity::creep;
-    by_border += x.given.quantity == Quantity::stick_slip_border;
-    const double q = x.given.quantity == Quantity::traction ? x.given.value : f / 2;
+    by_creep += x.given.quantity == thermoroll::Quantity::creep;
+    by_border += x.given.quantity == thermoroll::Quantity::stick_slip_border;
+    const double q = x.given.quantity == thermoroll::Quantity::traction ? x.given.value : f / 2;
     if (q / f < 1e-9 || 1 - q / f < 1e-9) ++corners;
     EXPECT_EQ(soak::text(x), soak::text(soak::sample(7, number)));
     EXPECT_NE(soak::text(x), soak::text(soak::sample(8, number)));

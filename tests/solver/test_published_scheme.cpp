@@ -89,7 +89,7 @@ TEST(PublishedScheme, CauchyMatrixIsExactForPolynomials) {
     // both 1/(t-s) and U_j take up to a factor (j + n)/sin, summed over n terms of weight
     // sin^2 pi/(n+1) and 1/(t-s) summing to n in all.
     for (int j = 0; j <= 2 * n; ++j)
-      EXPECT_TRUE(close(error[j], 0, 4 * epsilon * n * (j + n))) << "n = " << n << ", j = " << j;
+      EXPECT_TRUE(close(error(j), 0, 4 * epsilon * n * (j + n))) << "n = " << n << ", j = " << j;
     EXPECT_GT(error(2 * n + 1), 0.5) << "and no further, n = " << n;
   }
 }

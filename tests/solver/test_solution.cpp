@@ -13,6 +13,7 @@
 #include "thermoroll/carter.hpp"
 
 using namespace thermoroll;
+using enum thermoroll::Quantity;
 
 namespace {
 
@@ -106,7 +107,7 @@ TEST(Solution, RoundingStaysWithinItsBounds) {
       return static_cast<double>(std::abs(value - exact));
     };
     EXPECT_LE(error(x.value(stick_slip_border), 2 * b - 1), (*x.error)(stick_slip_border));
-    EXPECT_LE(error(x.value(creep), creep), (*x.error)(creep));
+    EXPECT_LE(error(x.value(Quantity::creep), creep), (*x.error)(Quantity::creep));
     EXPECT_LE(error(x.value(creep_constant), creep), (*x.error)(creep_constant));
     EXPECT_LE(error(x.value(heat_integral), creep * q / f), (*x.error)(heat_integral));
     EXPECT_EQ(x.value(traction), scene.traction);
@@ -189,7 +190,8 @@ TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
   for (const Driven& scene : random_scenes(40)) {
     const Solution x = solve(scene, closed_form);
     const long double long_pi = std::acos(-1.0L), f = scene.friction;
-    const Solution by_border = solve(scene, {stick_slip_border, x.value(stick_slip_border)}, closed_form);
+    const Solution by_border =
+        solve(scene, {stick_slip_border, x.value(stick_slip_border)}, closed_form);
     const long double h = (1 - static_cast<long double>(x.value(stick_slip_border))) / 2;
     const auto error = [](double value, long double exact) {
       return static_cast<double>(std::abs(value - exact));
@@ -219,11 +221,9 @@ TEST(Solution, CoupledErrorsCoverAFinerSolution) {
     const Solution x = solve(scene, given, approach);
     approach.tolerance = 1e-9;
     const Solution fine = solve(scene, given, approach);
-    for (const auto field :
-         {&Results::traction, &Results::stick_slip_border, &Results::creep, &Results::load_ratio,
-          &Results::gamma0, &Results::eccentricity, &Results::heat_integral,
-          &Results::max_temperature, &Results::max_temperature_at})
-      EXPECT_LE(std::abs(x.value.*field - fine.value.*field), 10 * *x.error.*field);
+    for (const auto& [quantity, key, symbol] : reported)
+      EXPECT_LE(std::abs(x.value(quantity) - fine.value(quantity)), 10 * (*x.error)(quantity))
+          << key;
     EXPECT_LT((*x.error)(eccentricity), pi * 1e-4);
     EXPECT_DOUBLE_EQ(x.value(eccentricity), pi * x.value(gamma0) / (2 * x.value(load_ratio)));
   }
@@ -276,7 +276,7 @@ TEST(Solution, PeaksOfTheClosedFormThatWasChosen) {
   const Driven scene{0.6, 0.3, 100, 1e-4};
   const Approach loose{Method::automatic, Formulation::printed, 200, 1e-2};
   const Solution x = solve(scene, loose);
-  ASSERT_EQ(x.model, "closed-form");
+  ASSERT_EQ(x.model, Model::closed_form);
   const FoundPeaks chosen = peaks(x),
                    fine = peaks(solve(scene, {Method::coupled, loose.formulation}));
   const Peaks exact = peaks(solve(scene, closed_form)).value;
@@ -524,7 +524,8 @@ TEST(Solution, ErrorOfTheEccentricityIsThatOfItsParts) {
   double furthest = 0;
   for (const double gamma0 : {-(*x.error)(gamma0), (*x.error)(gamma0)})
     for (const double kappa : {-(*x.error)(load_ratio), (*x.error)(load_ratio)}) {
-      const double other = pi * (x.value(gamma0) + gamma0) / (2 * (x.value(load_ratio) + kappa));
+      const double other =
+          pi * (x.value(Quantity::gamma0) + gamma0) / (2 * (x.value(load_ratio) + kappa));
       furthest = std::max(furthest, std::abs(other - x.value(eccentricity)));
     }
   const double second_order = 2 * (*x.error)(load_ratio) / x.value(load_ratio);

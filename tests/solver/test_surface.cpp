@@ -20,6 +20,7 @@ using thermoroll::carter;
 using thermoroll::Estimate;
 using thermoroll::HeatFlux;
 using thermoroll::Peak;
+using thermoroll::Quantity;
 using thermoroll::SmoothFlux;
 using thermoroll::SurfaceCurve;
 

@@ -190,7 +190,7 @@ TEST(Temperature, UniformBand) {
 // The next term is of relative order 1/Pe.
 TEST(Temperature, SemiEllipticBandAtHighSpeed) {
   const double peclet = 1e8, heat = 1.7;
-  const HeatFlux flux = thermoroll::sliding_flux(heat_integral);
+  const HeatFlux flux = thermoroll::sliding_flux(heat);
   const Real scale = std::sqrt(2 * reference::pi * peclet) / (heat * 2 / reference::pi);
   const Real rate = 4 / static_cast<Real>(peclet);
   const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
@@ -400,7 +400,7 @@ TEST(Temperature, TotalHeatIsTheEnergyIdentity) {
 
 TEST(Temperature, SlidingCarriesTheHeatAsked) {
   for (const double heat : {1e-6, 0.188, 3.0}) {
-    const HeatFlux flux = thermoroll::sliding_flux(heat_integral);
+    const HeatFlux flux = thermoroll::sliding_flux(heat);
     EXPECT_EQ(flux.from, -1);
     EXPECT_EQ(flux.to, 1);
     expect_estimate(thermoroll::total_heat(flux), heat);

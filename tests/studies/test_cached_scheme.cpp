@@ -19,6 +19,7 @@ using thermoroll::Formulation;
 using thermoroll::NodeKernel;
 using thermoroll::PublishedOptions;
 using thermoroll::PublishedSolution;
+using thermoroll::Quantity;
 
 constexpr double friction = 0.6;
 

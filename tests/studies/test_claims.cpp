@@ -83,8 +83,7 @@ TEST(Claims, ConvergedMeansEightDigits) {
     for (const double peclet : thermoroll::paper::peclets) {
       const thermoroll::CoupledSolution x = thermoroll::paper::coupled(traction, peclet);
       const thermoroll::Results relative = x.error / thermoroll::scale_of(x.value);
-      EXPECT_LE(relative.head(thermoroll::compared).maxCoeff(), 1e-8)
-          << traction << ", " << peclet;
+      EXPECT_LE(relative.head(thermoroll::compared).maxCoeff(), 1e-8) << traction << ", " << peclet;
     }
 }
 
@@ -210,7 +209,7 @@ TEST(Claims, RecordIsThatOfTheRuns) {
   thermoroll::PublishedOptions options;
   options.tolerance = 1e-3;
   for (const double traction : {0.2, 0.59}) {
-    const double exact = thermoroll::max_temperature(
+    const double exact = thermoroll::hottest_point(
                              thermoroll::carter_flux(thermoroll::carter(friction, traction)), 5000)
                              .temperature.value;
     for (const int nodes : {50, 200}) {

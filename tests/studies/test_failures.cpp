@@ -32,6 +32,7 @@ using thermoroll::Factors;
 using thermoroll::FluxMap;
 using thermoroll::Formulation;
 using thermoroll::PublishedSolution;
+using thermoroll::Quantity;
 using thermoroll::Violation;
 namespace kernel = thermoroll::kernel;
 namespace naive_scaled = thermoroll::naive_scaled;
@@ -417,7 +418,7 @@ namespace {
 Factors carter_factors(double friction, double border) {
   const Eigen::ArrayXd s = Eigen::ArrayXd::LinSpaced(199, -0.99, 0.99);
   const Eigen::ArrayXd constant = Eigen::ArrayXd::Constant(199, 2 / thermoroll::pi);
-  return {friction, stick_slip_border, 1, s, constant, friction * constant};
+  return {friction, border, 1, s, constant, friction * constant};
 }
 
 }  // namespace
@@ -425,7 +426,7 @@ Factors carter_factors(double friction, double border) {
 TEST(Admissibility, ClosedFormIsAContact) {
   for (const double friction : {0.01, 0.6, 2.0})
     for (const double border : {-0.995, -0.5, 0.0, 0.7, 0.995})
-      EXPECT_TRUE(thermoroll::violations(carter_factors(friction, stick_slip_border)).empty()) << border;
+      EXPECT_TRUE(thermoroll::violations(carter_factors(friction, border)).empty()) << border;
 }
 
 // Each condition, made to fail on an interval by a straight line through zero at its ends, is named
@@ -444,22 +445,22 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   const auto dip = [](const Eigen::ArrayXd& s, double from, double to) {
     return ((s - (from + to) / 2).abs() - (to - from) / 2).eval();
   };
-  Factors x = carter_factors(0.6, stick_slip_border);
+  Factors x = carter_factors(0.6, border);
   x.pressure = dip(x.s, 0.305, 0.605);
   EXPECT_TRUE(only(x, "separation", 0.305, 0.605));
   x.pressure = 0.9001 - x.s;
   EXPECT_TRUE(only(x, "separation", 0.9001, 1));
-  x = carter_factors(0.6, stick_slip_border);
+  x = carter_factors(0.6, border);
   x.slip = 0.6 * dip(x.s, 0.305, 0.605);
   EXPECT_TRUE(only(x, "backward slip", 0.305, 0.605));
-  x = carter_factors(0.6, stick_slip_border);
+  x = carter_factors(0.6, border);
   x.slip = 0.6 * dip(x.s, -0.505, -0.305);
   EXPECT_TRUE(only(x, "traction above friction", -0.505, -0.305));
-  x = carter_factors(0.6, stick_slip_border);
+  x = carter_factors(0.6, border);
   x.slip = (x.s < -0.9).select(20 + 0 * x.s, x.slip);
   EXPECT_EQ(thermoroll::violations(x).at(0).what, "traction below -friction");
   EXPECT_EQ(thermoroll::violations(x).at(0).from, -1);
-  x = carter_factors(0.6, stick_slip_border);
+  x = carter_factors(0.6, border);
   x.load_ratio = 0;
   EXPECT_TRUE(only(x, "no load", -1, 1));
   x.pressure(150) = std::numeric_limits<double>::quiet_NaN();
@@ -467,7 +468,7 @@ TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_LE(found[0].from, x.s(150));
   EXPECT_GE(found[0].to, x.s(150));
-  x = carter_factors(0.6, stick_slip_border);
+  x = carter_factors(0.6, border);
   x.slip = 0.6 * dip(x.s, 0.305, 0.605).min(dip(x.s, -0.505, -0.305));
   EXPECT_EQ(thermoroll::violations(x).size(), 2u);
 }
@@ -517,8 +518,7 @@ TEST(Ends, FastAndSlowTemperature) {
   for (const double peclet : {1e3, 1e4, 1e6, 1e8}) {
     const double law = fast / std::sqrt(peclet), allowed = 1 / (peclet * peclet) + 2e-9;
     EXPECT_TRUE(close(solver(peclet) / law, 1, allowed)) << peclet;
-    EXPECT_TRUE(
-        close(thermoroll::hottest_point(flux, peclet).temperature.value / law, 1, allowed))
+    EXPECT_TRUE(close(thermoroll::hottest_point(flux, peclet).temperature.value / law, 1, allowed))
         << peclet;
   }
   for (const double peclet : {1e-1, 1e-2, 1e-3}) {

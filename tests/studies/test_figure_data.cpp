@@ -16,6 +16,7 @@ namespace {
 using thermoroll::CoupledSolution;
 using thermoroll::outcome;
 using thermoroll::Outcome;
+using thermoroll::Quantity;
 using thermoroll::Violation;
 
 }  // namespace

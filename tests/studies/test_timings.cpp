@@ -20,6 +20,7 @@
 namespace {
 
 using thermoroll::Found;
+using thermoroll::Quantity;
 using thermoroll::Regime;
 using thermoroll::Times;
 
