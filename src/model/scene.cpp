@@ -9,12 +9,12 @@
 namespace thermoroll {
 
 /// The steel wheel on a steel rail of @tbl:steel; its friction coefficient is 0.6.
-PhysicalCase wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50}; }
+PhysicalScene wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50}; }
 
-Scene scene_of(const PhysicalCase& c, double friction) {
-  const double peclet = c.speed * c.half_width / (2 * c.diffusivity);
-  const double heating =
-      2 * c.expansion * (1 + c.poisson) * c.diffusivity * c.load / (c.half_width * c.conductivity);
+Scene scene_of(const PhysicalScene& si, double friction) {
+  const double peclet = si.speed * si.half_width / (2 * si.diffusivity);
+  const double heating = 2 * si.expansion * (1 + si.poisson) * si.diffusivity * si.load /
+                         (si.half_width * si.conductivity);
   return {friction, peclet, heating};
 }
 
@@ -22,11 +22,11 @@ double hertz_half_width(double load, double radius, double shear_modulus, double
   return std::sqrt(4 * (1 - poisson) * radius * load / (pi * shear_modulus));
 }
 
-Units units_of(const PhysicalCase& c, double friction) {
-  const double traction = c.load / c.half_width;
-  const double slip = 2 * (1 - c.poisson) * traction / c.shear_modulus * c.speed;
+Units units_of(const PhysicalScene& si, double friction) {
+  const double traction = si.load / si.half_width;
+  const double slip = 2 * (1 - si.poisson) * traction / si.shear_modulus * si.speed;
   const double heat_flux = friction * slip * traction;
-  return {traction, slip, heat_flux, heat_flux * c.half_width / c.conductivity};
+  return {traction, slip, heat_flux, heat_flux * si.half_width / si.conductivity};
 }
 
 void require(bool allowed, const std::string& name, double value, const std::string& range) {
@@ -46,19 +46,19 @@ void check(const Scene& scene) {
   require(roller.heating >= 0, "heating-2", roller.heating, "zero or positive");
 }
 
-void check_but_half_width(const PhysicalCase& c) {
-  require(c.load > 0, "load", c.load, "positive");
-  require(c.speed > 0, "speed", c.speed, "positive");
-  require(c.shear_modulus > 0, "shear-modulus", c.shear_modulus, "positive");
-  require(c.poisson >= 0 && c.poisson < 0.5, "poisson", c.poisson, "at least 0 and below 0.5");
-  require(c.expansion >= 0, "expansion", c.expansion, "zero or positive");
-  require(c.diffusivity > 0, "diffusivity", c.diffusivity, "positive");
-  require(c.conductivity > 0, "conductivity", c.conductivity, "positive");
+void check_but_half_width(const PhysicalScene& si) {
+  require(si.load > 0, "load", si.load, "positive");
+  require(si.speed > 0, "speed", si.speed, "positive");
+  require(si.shear_modulus > 0, "shear-modulus", si.shear_modulus, "positive");
+  require(si.poisson >= 0 && si.poisson < 0.5, "poisson", si.poisson, "at least 0 and below 0.5");
+  require(si.expansion >= 0, "expansion", si.expansion, "zero or positive");
+  require(si.diffusivity > 0, "diffusivity", si.diffusivity, "positive");
+  require(si.conductivity > 0, "conductivity", si.conductivity, "positive");
 }
 
-void check(const PhysicalCase& c) {
-  check_but_half_width(c);
-  require(c.half_width > 0, "half-width", c.half_width, "positive");
+void check(const PhysicalScene& si) {
+  check_but_half_width(si);
+  require(si.half_width > 0, "half-width", si.half_width, "positive");
 }
 
 double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }

@@ -158,13 +158,13 @@ Case read_case(const CaseOptions& o) {
   if (!missing.empty()) throw std::invalid_argument("data in SI units lack" + missing);
   if (o.half_width.has_value() == o.radius.has_value())
     throw std::invalid_argument("data in SI units need either --half-width or --radius");
-  const PhysicalCase c{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
-                       *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
-  return {{o.friction, 0, 0}, x, approach, c, o.radius};
+  const PhysicalScene si{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
+                         *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
+  return {{o.friction, 0, 0}, x, approach, si, o.radius};
 }
 
 SolvedCase solve_case(const Case& c) {
-  std::optional<PhysicalCase> physical = c.physical;
+  std::optional<PhysicalScene> physical = c.physical;
   Scene scene = c.scene;
   if (c.radius)
     physical->half_width =

@@ -41,7 +41,7 @@ struct Case {
   Scene scene;
   Prescribed given;
   Approach approach;
-  std::optional<PhysicalCase> physical;
+  std::optional<PhysicalScene> physical;
   Maybe radius;
 };
 

@@ -254,7 +254,8 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   check_with_sign(scene.friction, given);
   const Scene turned = directed(scene, given);
   const bool braking = given.quantity != stick_slip_border && given.value < 0;
-  Solution x = solve_turned(turned, {given.quantity, braking ? -given.value : given.value}, approach);
+  Solution x =
+      solve_turned(turned, {given.quantity, braking ? -given.value : given.value}, approach);
   turn(x);
   return x;
 }
@@ -304,17 +305,17 @@ FoundPeaks peaks(const Solution& x) {
   return found;
 }
 
-FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius) {
-  const Units unit = units_of(c, x.scene.friction);
+FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius) {
+  const Units unit = units_of(si, x.scene.friction);
   const FoundPeaks peak = peaks(x);
   const double hertz =
-      hertz_half_width(x.value(load_ratio) * c.load, 1, c.shear_modulus, c.poisson);
-  FoundInSi y{converted(x.value, peak.value, unit, c.speed), std::nullopt};
-  y.value.half_width = c.half_width;
-  y.value.radius = c.half_width * c.half_width / (hertz * hertz);
+      hertz_half_width(x.value(load_ratio) * si.load, 1, si.shear_modulus, si.poisson);
+  FoundInSi y{converted(x.value, peak.value, unit, si.speed), std::nullopt};
+  y.value.half_width = si.half_width;
+  y.value.radius = si.half_width * si.half_width / (hertz * hertz);
   y.value.hertz_pressure = 2 / pi * unit.traction;
   if (!x.error) return y;
-  y.error = converted(*x.error, *peak.error, unit, c.speed);
+  y.error = converted(*x.error, *peak.error, unit, si.speed);
   PhysicalResults& error = *y.error;
   const double of_kappa = (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
   const double of_size = from_radius ? 5e-10 + of_kappa : 0;
@@ -337,18 +338,18 @@ void require_contact(const Solution& x) {
                   " at s = " + shortest(first.from) + " to " + shortest(first.to));
 }
 
-double half_width_of_radius(PhysicalCase c, double radius, double friction, const Prescribed& given,
-                            const Approach& approach) {
+double half_width_of_radius(PhysicalScene si, double radius, double friction,
+                            const Prescribed& given, const Approach& approach) {
   require(radius > 0, "radius", radius, "positive");
-  check_but_half_width(c);
+  check_but_half_width(si);
   double kappa = 1;
   for (int step = 0; step < 50 && kappa > 0; ++step) {
     const double before = kappa;
-    c.half_width = hertz_half_width(kappa * c.load, radius, c.shear_modulus, c.poisson);
-    const Solution x = solve(scene_of(c, friction), given, approach);
+    si.half_width = hertz_half_width(kappa * si.load, radius, si.shear_modulus, si.poisson);
+    const Solution x = solve(scene_of(si, friction), given, approach);
     kappa = x.value(load_ratio);
     const double error = x.error ? (*x.error)(load_ratio) : 0;
-    if (std::abs(kappa - before) <= 1e-9 * before + error) return c.half_width;
+    if (std::abs(kappa - before) <= 1e-9 * before + error) return si.half_width;
   }
   throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
 }
@@ -371,7 +372,8 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
     const SurfaceCurve found = surface_curve(flux, x.scene.peclet, s, tolerance);
     for (Eigen::Index i = 0; i < s.size(); ++i)
-      curve.points.push_back({s(i), share * found.temperature(i), share * found.error + flux_error});
+      curve.points.push_back(
+          {s(i), share * found.temperature(i), share * found.error + flux_error});
   } else {
     const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
     for (const double s : at) {

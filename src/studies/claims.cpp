@@ -243,12 +243,12 @@ std::string verdict(bool holds, const std::string& how) {
 }
 
 double speed_at(double pe) {
-  const PhysicalCase steel = wheel_on_rail();
+  const PhysicalScene steel = wheel_on_rail();
   return 2 * steel.diffusivity * pe / steel.half_width;
 }
 
 double celsius_per_unit(double speed) {
-  PhysicalCase steel = wheel_on_rail();
+  PhysicalScene steel = wheel_on_rail();
   steel.speed = speed;
   return units_of(steel, paper::friction).temperature;
 }

@@ -15,7 +15,7 @@ namespace thermoroll {
 namespace {
 
 void values_of_steel(nlohmann::ordered_json& v) {
-  const PhysicalCase steel = wheel_on_rail();
+  const PhysicalScene steel = wheel_on_rail();
   v["steel_load"] = scientific(steel.load, 2);
   v["steel_speed"] = shortest(steel.speed);
   v["steel_half_width"] = scientific(steel.half_width, 2);

@@ -136,7 +136,7 @@ TEST(Values, EveryToleranceNamesAValueAndItsReason) {
 // @tbl:steel shows what the program computes with, to the last digit.
 TEST(Values, TableOfSteelIsTheCaseInFull) {
   const Values values = read_values("/build/data/values.json");
-  const thermoroll::PhysicalCase steel = thermoroll::wheel_on_rail();
+  const thermoroll::PhysicalScene steel = thermoroll::wheel_on_rail();
   const std::pair<const char*, double> fields[] = {{"steel_load", steel.load},
                                                    {"steel_speed", steel.speed},
                                                    {"steel_half_width", steel.half_width},

@@ -13,7 +13,7 @@ namespace {
 
 using reference::close;
 using reference::epsilon;
-using thermoroll::PhysicalCase;
+using thermoroll::PhysicalScene;
 using thermoroll::Scene;
 
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -41,7 +41,7 @@ void expect_refusal(const Data& data, const std::string& name, double value,
 
 // The numbers of the table, typed again from the paper; then its Pe = 4360 and H = 0.0175 (0.02).
 TEST(Scene, PaperDataGiveThePapersGroups) {
-  const PhysicalCase c = thermoroll::wheel_on_rail();
+  const PhysicalScene c = thermoroll::wheel_on_rail();
   EXPECT_EQ(c.load, 12e6);
   EXPECT_EQ(c.speed, 22.2);
   EXPECT_EQ(c.half_width, 0.0055);
@@ -64,7 +64,7 @@ TEST(Scene, PaperDataGiveThePapersGroups) {
 // A traction of one, a slip of one, and their heat and temperature, from the definitions; then the
 // arithmetic of the paper: T* = 0.002 is 272 degrees C at 25 m/s.
 TEST(Scene, TemperatureUnitIsThePapers) {
-  PhysicalCase c = thermoroll::wheel_on_rail();
+  PhysicalScene c = thermoroll::wheel_on_rail();
   c.speed = 25;
   const thermoroll::Units units = thermoroll::units_of(c, 0.6);
   const long double p = 1.2e7L / 5.5e-3L, v = 2 * 0.7L * 1.2e7L * 25 / (8.1e10L * 5.5e-3L);
@@ -94,7 +94,7 @@ TEST(Scene, HertzHalfWidthInvertsTheRadius) {
 
 TEST(Scene, RefusesWhatMakesNoSense) {
   const Scene good{0.6, 4360, 0.0175};
-  const PhysicalCase rail = thermoroll::wheel_on_rail();
+  const PhysicalScene rail = thermoroll::wheel_on_rail();
   EXPECT_NO_THROW(thermoroll::check(good));
   EXPECT_NO_THROW(thermoroll::check(Scene{0.6, 4360, 0})) << "no heat is allowed";
   EXPECT_NO_THROW(thermoroll::check(rail));
@@ -109,22 +109,22 @@ TEST(Scene, RefusesWhatMakesNoSense) {
 
   struct Field {
     const char* name;
-    double PhysicalCase::*value;
+    double PhysicalScene::*value;
     const char* range;
     bool zero_allowed;
   };
   const Field fields[] = {
-      {"load", &PhysicalCase::load, "positive", false},
-      {"speed", &PhysicalCase::speed, "positive", false},
-      {"half-width", &PhysicalCase::half_width, "positive", false},
-      {"shear-modulus", &PhysicalCase::shear_modulus, "positive", false},
-      {"poisson", &PhysicalCase::poisson, "at least 0 and below 0.5", true},
-      {"expansion", &PhysicalCase::expansion, "zero or positive", true},
-      {"diffusivity", &PhysicalCase::diffusivity, "positive", false},
-      {"conductivity", &PhysicalCase::conductivity, "positive", false},
+      {"load", &PhysicalScene::load, "positive", false},
+      {"speed", &PhysicalScene::speed, "positive", false},
+      {"half-width", &PhysicalScene::half_width, "positive", false},
+      {"shear-modulus", &PhysicalScene::shear_modulus, "positive", false},
+      {"poisson", &PhysicalScene::poisson, "at least 0 and below 0.5", true},
+      {"expansion", &PhysicalScene::expansion, "zero or positive", true},
+      {"diffusivity", &PhysicalScene::diffusivity, "positive", false},
+      {"conductivity", &PhysicalScene::conductivity, "positive", false},
   };
   for (const Field& field : fields) {
-    PhysicalCase bad = rail;
+    PhysicalScene bad = rail;
     for (const double x : {-(rail.*field.value), not_a_number, infinity, -infinity}) {
       bad.*field.value = x;
       expect_refusal(bad, field.name, x, field.range);
@@ -135,7 +135,7 @@ TEST(Scene, RefusesWhatMakesNoSense) {
     else
       expect_refusal(bad, field.name, 0, field.range);
   }
-  PhysicalCase rubber = rail;
+  PhysicalScene rubber = rail;
   rubber.poisson = 0.5;
   expect_refusal(rubber, "poisson", 0.5, "at least 0 and below 0.5");
   rubber.poisson = std::nextafter(0.5, 0);

@@ -59,7 +59,7 @@ TEST(Output, CountsAreThoseOfTheSolution) {
 
 // An error is rounded to one digit, by at most a third: 1.5 may become 2.
 TEST(Output, TextHasTheErrorsOfTheSolution) {
-  const PhysicalCase c = wheel_on_rail();
+  const PhysicalScene c = wheel_on_rail();
   const Solution x = thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5});
   const FoundInSi si = in_si_units(x, c);
   const std::string text = present(x, si, Format::text);
@@ -115,7 +115,7 @@ TEST(Output, QuotedCellsReadBack) {
 
 // A single number of a scene in SI units or of its errors that is not finite is refused by name.
 TEST(Output, NoResultThatIsNotFinite) {
-  const PhysicalCase c = wheel_on_rail();
+  const PhysicalScene c = wheel_on_rail();
   const Solution x =
       thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5}, {Method::closed_form});
   FoundInSi value = in_si_units(x, c), error = value;

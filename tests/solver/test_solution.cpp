@@ -35,8 +35,8 @@ std::vector<Driven> random_scenes(int count) {
 }
 
 /// A scene with these groups at the load and the half-width of the wheel.
-PhysicalCase case_of(const Driven& scene) {
-  PhysicalCase c = wheel_on_rail();
+PhysicalScene physical_scene(const Driven& scene) {
+  PhysicalScene c = wheel_on_rail();
   c.speed = 2 * c.diffusivity * scene.peclet / c.half_width;
   c.expansion = scene.heating * c.half_width * c.conductivity /
                 (2 * (1 + c.poisson) * c.diffusivity * c.load);
@@ -158,7 +158,7 @@ TEST(Solution, PeaksOfTheSchemeAreThoseAtItsNodes) {
 // The half-width found must meet its definition with the load ratio of its own solution. The last
 // step left kappa unchanged to 1e-9 and its estimated error, and a goes with its root.
 TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
-  PhysicalCase c = wheel_on_rail();
+  PhysicalScene c = wheel_on_rail();
   for (const double load : {1e5, 1.2e7, 1e8}) {
     c.load = load;
     for (const Approach& approach : {scheme, Approach{}}) {
@@ -176,7 +176,7 @@ TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
 // heat of this scene is far beyond any, and seven nodes are too few.
 TEST(Solution, NoHalfWidthWithoutALoadRatio) {
   const Driven scene{0.1, 0.03, 10, 1000};
-  const PhysicalCase c = case_of(scene);
+  const PhysicalScene c = physical_scene(scene);
   const Approach coarse{Method::gauss_chebyshev, Formulation::printed, 7};
   ASSERT_LT(solve(scene, coarse).value(load_ratio), 0);
   const double unit = hertz_half_width(c.load, 1, c.shear_modulus, c.poisson);
@@ -451,7 +451,7 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
     const double tolerance = std::pow(10, -2 - i % 5);
     const Formulation sign = i % 4 < 2 ? Formulation::printed : Formulation::corrected;
     const Driven drawn{friction, share * friction, log_uniform(0.1, 1e4), log_uniform(1e-6, 2)};
-    const PhysicalCase c = case_of(drawn);
+    const PhysicalScene c = physical_scene(drawn);
     const auto [f, peclet, heating] = scene_of(c, friction);
     const Driven scene{f, share * friction, peclet, heating};
     const FoundInSi x = in_si_units(solve(scene, {Method::automatic, sign, 200, tolerance}), c);
@@ -473,7 +473,7 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
 TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
   for (const double load : {1.2e7, 1e8})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
-      PhysicalCase c = wheel_on_rail();
+      PhysicalScene c = wheel_on_rail();
       c.load = load, c.expansion *= 10;
       const Prescribed given{traction, 0.5};
       const Approach tight{Method::coupled, formulation, 200, 1e-9};

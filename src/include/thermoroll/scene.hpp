@@ -41,7 +41,7 @@ constexpr double sign_of(Direction direction) { return direction == Direction::d
 
 /// A rolling contact in SI units (@tbl:steel). All fields positive, but expansion and
 /// poisson may be zero; poisson below 1/2.
-struct PhysicalCase {
+struct PhysicalScene {
   double load;           ///< P, load per unit length, N/m
   double speed;          ///< V, rolling speed, m/s
   double half_width;     ///< a, half-width of the contact, m
@@ -61,21 +61,21 @@ struct Units {
 };
 
 /// The dimensionless groups of a scene, @eq:groups.
-Scene scene_of(const PhysicalCase& c, double friction);
+Scene scene_of(const PhysicalScene& si, double friction);
 
 /// What one dimensionless unit is worth in this case.
-Units units_of(const PhysicalCase& c, double friction);
+Units units_of(const PhysicalScene& si, double friction);
 
 /// Hertz's half-width a in m, @eq:kappa, from N/m, m, Pa; all positive.
 double hertz_half_width(double load, double radius, double shear_modulus, double poisson);
 
 /// The wheel on its rail that the paper computes, @tbl:steel.
-PhysicalCase wheel_on_rail();
+PhysicalScene wheel_on_rail();
 
 /// Throw std::invalid_argument naming the value and what is allowed, unless the data make sense.
 void check(const Scene& scene);
-void check(const PhysicalCase& c);
-void check_but_half_width(const PhysicalCase& c);
+void check(const PhysicalScene& si);
+void check_but_half_width(const PhysicalScene& si);
 
 /// Throw std::invalid_argument "name = value is not allowed: it must be range", unless allowed
 /// and value is finite.

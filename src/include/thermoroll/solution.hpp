@@ -89,9 +89,9 @@ struct FoundInSi {
   std::optional<PhysicalResults> error;
 };
 
-/// Results and peaks of a scene in SI units; x solves scene_of(c, ...).
+/// Results and peaks of a scene in SI units; x solves scene_of(si, ...).
 /// The half-width of c is exact, or it is that of half_width_of_radius().
-FoundInSi in_si_units(const Solution& x, const PhysicalCase& c, bool from_radius = false);
+FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius = false);
 
 /// An iteration did not converge.
 struct NotConverged : std::runtime_error {
@@ -108,8 +108,8 @@ void require_contact(const Solution& x);
 
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
 /// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.
-double half_width_of_radius(PhysicalCase c, double radius, double friction, const Prescribed& given,
-                            const Approach& approach);
+double half_width_of_radius(PhysicalScene si, double radius, double friction,
+                            const Prescribed& given, const Approach& approach);
 
 /// T* at one point, with its estimated absolute error where the method has one.
 struct CurvePoint {
