@@ -119,7 +119,8 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     level = solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) {
       if (k == 0 || ++failed == 8) break;
-      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2}, level = last;
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2};
+      level = last;
       continue;
     }
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;

@@ -67,9 +67,15 @@ THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& 
     const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
     Pack4 sum[5] = {};
     for (Index k = 0; k < y.size(); k += 4) {
-      load(&y[k], x), load(&now[k], p), load(&next[k], q);
-      for (Index w = 0; w < 5; ++w) load(&weights(k, w), weight), sum[w] += weight * p;
-      store(q, &now[k]), store(up * x * q - down * p, &next[k]);
+      load(&y[k], x);
+      load(&now[k], p);
+      load(&next[k], q);
+      for (Index w = 0; w < 5; ++w) {
+        load(&weights(k, w), weight);
+        sum[w] += weight * p;
+      }
+      store(q, &now[k]);
+      store(up * x * q - down * p, &next[k]);
     }
     for (Index w = 0; w < 5; ++w) sums(w, l) = sum_of(sum[w]);
   }
@@ -91,16 +97,23 @@ THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const Ve
   for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
   for (Index k = 0; k < y.size(); k += 8) {
     Pack4 x, z;
-    load(&y[k], x), load(&y[k + 4], z);
-    x *= side, z *= side;
+    load(&y[k], x);
+    load(&y[k + 4], z);
+    x *= side;
+    z *= side;
     Pack4 a = {}, p = a + 1, q = x, b = {}, u = p, v = z;
     for (Index l = 0; l < c.size(); ++l) {
-      a += c(l) * p, b += c(l) * u;
+      a += c(l) * p;
+      b += c(l) * u;
       const Pack4 then = (1 + down(l)) * x * q - down(l) * p;
       const Pack4 next = (1 + down(l)) * z * v - down(l) * u;
-      p = q, q = then, u = v, v = next;
+      p = q;
+      q = then;
+      u = v;
+      v = next;
     }
-    store(a, &sums[k]), store(b, &sums[k + 4]);
+    store(a, &sums[k]);
+    store(b, &sums[k + 4]);
   }
   return sums;
 }
