@@ -66,8 +66,6 @@ Resultants resultants(const ContactGrid& grid, const VectorXd& h) {
           f * lost + ((a0 - z.d) * g).sum()};
 }
 
-/// Solve @eq:h at the given share of the heating from the start h; the number of steps, 0 if it
-/// fails.
 int newton(const ContactGrid& grid, double share, VectorXd& h) {
   const TractionOperators& x = grid.tractions;
   const MatrixXd& legendre = grid.rules.slip.p;
@@ -89,21 +87,18 @@ int newton(const ContactGrid& grid, double share, VectorXd& h) {
   return 0;
 }
 
-/// The Legendre coefficients of Carter's h at the nodes of the grid.
-VectorXd carter_start(const ContactGrid& grid) {
+VectorXd carter_h(const ContactGrid& grid) {
   const double f = grid.scene.friction;
   return to_legendre(grid.rules.slip) * (4 * f / (pi * pi) * grid.nodes.sigma).matrix();
 }
 
-/// Solve by Newton's method from h or, should that be no contact, by continuation in the heating
-/// from Carter's h; steps at the full heating, 0 if it fails.
 int solve_flux(const ContactGrid& grid, VectorXd& h) {
   const auto slips = [&](double share, const VectorXd& at) {
     return share * (grid.tractions.v * at).minCoeff() > -grid.tractions.v0;
   };
   const int direct = newton(grid, 1, h);
   if (direct > 0 && slips(1, h)) return direct;
-  VectorXd continued = carter_start(grid);
+  VectorXd continued = carter_h(grid);
   for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
     const double next = std::min(1.0, share * growth);
     VectorXd trial = continued;
@@ -122,8 +117,6 @@ int solve_flux(const ContactGrid& grid, VectorXd& h) {
   return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
-/// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
-/// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
 Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
   const TractionOperators& x = grid.tractions;

@@ -86,7 +86,7 @@ GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
   const ContactGrid grid = contact_grid(scene, formulation, at, n);
   GridSolution found;
   found.at = at;
-  found.h = carter_start(grid);
+  found.h = carter_h(grid);
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
   found.peak = find_hottest(at.slip, scene.peclet, found.h, from.peak, grid.rules.fine);

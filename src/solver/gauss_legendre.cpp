@@ -12,7 +12,6 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// P_0 ... P_{n-1} at x, a column each.
 MatrixXd legendre(const ArrayXd& x, Index n) {
   MatrixXd p = MatrixXd::Ones(x.size(), n);
   if (n > 1) p.col(1) = x;

@@ -12,8 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Quadrature nodes from the target at y0 to y = 1; left = 1 + y0 and right = 1 - y0. The gap, in
-/// lengths of the slip zone, is that of a target in the stick zone, with left = 0.
 void grade(GradedRule& graded, double peclet, double gap, double left, double right,
            const GaussLegendre& rule) {
   const SlipPoint from(left, right);
@@ -40,14 +38,12 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
   graded.by_h = 3 * middle / omega * du * dy;
 }
 
-/// The kernels at all of these distances.
 std::vector<Kernels> at_distances(const ArrayXd& zeta) {
   std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
   fast_kernels(k.size(), zeta.data(), k.data());
   return k;
 }
 
-/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored graded.
 void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
   const std::vector<Kernels> kernels = at_distances(graded.zeta);
   weights.resize(graded.y.size(), 5);
@@ -58,7 +54,6 @@ void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
   }
 }
 
-/// Column l of sums receives the sums of the five weights times P_l(y), for all columns.
 THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& weights,
                                      Sums& sums) {
   GradedArray now = GradedArray::Ones(y.size()), next = y;
@@ -90,7 +85,6 @@ MatrixXd by_derivatives(const MatrixXd& sums) {
   return x;
 }
 
-/// The sums of c(l) P_l(side y), twice four nodes at a time, as each term waits for the last.
 THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
   GradedArray sums(y.size());
   VectorXd down(c.size());
@@ -118,7 +112,6 @@ THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const Ve
   return sums;
 }
 
-/// The coefficients of the derivative.
 VectorXd derivative(const VectorXd& c) {
   VectorXd d = VectorXd::Zero(c.size());
   for (Index l = c.size() - 2; l >= 0; --l)
