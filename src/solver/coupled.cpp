@@ -103,8 +103,8 @@ double residual(const GridSolution& x, const Prescribed& given) {
 }
 
 /// The border moved towards s = 1; the shorter zone keeps its digits.
-ZoneLengths moved_by(const ZoneLengths& x, double step) {
-  const double slip = x.slip - step, stick = x.stick + step;
+ZoneLengths moved_by(const ZoneLengths& zones, double step) {
+  const double slip = zones.slip - step, stick = zones.stick + step;
   return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
 }
 

@@ -77,12 +77,12 @@ THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& 
 }
 
 MatrixXd by_derivatives(const MatrixXd& sums) {
-  MatrixXd x = MatrixXd::Zero(sums.rows(), sums.cols());
-  for (Index l = 1; l < x.cols(); ++l) {
-    x.col(l) = static_cast<double>(2 * l - 1) * sums.col(l - 1);
-    if (l > 1) x.col(l) += x.col(l - 2);
+  MatrixXd derivatives = MatrixXd::Zero(sums.rows(), sums.cols());
+  for (Index l = 1; l < derivatives.cols(); ++l) {
+    derivatives.col(l) = static_cast<double>(2 * l - 1) * sums.col(l - 1);
+    if (l > 1) derivatives.col(l) += derivatives.col(l - 2);
   }
-  return x;
+  return derivatives;
 }
 
 THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
