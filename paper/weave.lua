@@ -8,7 +8,7 @@
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
 -- figures/measured/*.csv and paper/style.css, and puts all of it into the page, which then needs no
--- other file. What the chapters may write:
+-- other file. It keeps the colours of the code in build/colours-*. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
@@ -520,15 +520,34 @@ end
 
 local function file_link(path) return link("file:" .. path, "<code>" .. escape(path) .. "</code>") end
 
---- The lines of a code as HTML; `@eq:id` in them becomes a link. Operators have no colour of their own,
---- and their tags would be a quarter of the report.
-local function highlighted(lines, language)
+--- Pandoc's HTML for a code.
+local function coloured(text, language)
+  local block = pandoc.CodeBlock(text, pandoc.Attr("", language ~= "" and { language } or {}))
+  return pandoc.write(pandoc.Pandoc({ block }), "html5"):match("<code[^>]*>(.*)</code>")
+end
+
+--- The same, from build/ where that has it of this very code: to colour takes longer than all the rest,
+--- and an edit of the prose changes no colour.
+local function coloured_once(text, language)
+  local file, key = "build/colours-" .. language, utils.sha1(tostring(PANDOC_VERSION) .. text)
+  local kept = read(file)
+  if kept and kept:sub(1, #key) == key then return kept:sub(#key + 1) end
+  local html = coloured(text, language)
+  local out = io.open(file .. ".tmp", "wb")
+  if out then
+    out:write(key, html)
+    if out:close() then os.rename(file .. ".tmp", file) end
+  end
+  return html
+end
+
+--- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link. Operators have
+--- no colour of their own, and their tags would be a quarter of the report.
+local function highlighted(lines, language, colour)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
-  local block = pandoc.CodeBlock(text, pandoc.Attr("", language ~= "" and { language } or {}))
-  local html = pandoc.write(pandoc.Pandoc({ block }), "html5"):match("<code[^>]*>(.*)</code>")
   local out = {}
-  for line in (html .. "\n"):gmatch("(.-)\n") do
+  for line in (colour(text, language) .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
     inside = inside:gsub('<span class="op">([^<]*)</span>', "%1")
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
@@ -549,7 +568,9 @@ local function highlight_all(parts)
     first[part] = #lines[language] + 1
     lines[language]:extend(part.code)
   end
-  for language in pairs(lines) do lines[language] = highlighted(lines[language], language) end
+  for language in pairs(lines) do
+    lines[language] = highlighted(lines[language], language, draft and coloured or coloured_once)
+  end
   for _, part in ipairs(parts) do
     part.html = table.move(lines[part.lang or ""], first[part], first[part] + #part.code - 1, 1, {})
   end
@@ -637,7 +658,7 @@ local function code_block(block)
   end
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
-  local html = table.concat(highlighted(lines, block.classes[1] or ""), "\n")
+  local html = table.concat(highlighted(lines, block.classes[1] or "", coloured), "\n")
   return raw('<div class="code listing"><pre><code>' .. html .. "</code></pre></div>")
 end
 

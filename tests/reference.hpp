@@ -151,6 +151,19 @@ inline Real K0_scaled_fast(Real x) {
   return std::exp(x) * sum;
 }
 
+/// What the error of N2 is relative to: near its zero, upstream, the larger of its terms is the
+/// pole 1/zeta.
+inline Real size_of_N2(double zeta, Real value) {
+  return zeta > 0.2 && zeta < 0.4 ? 1 / static_cast<Real>(zeta) : std::abs(value);
+}
+
+/// 1e-12 to 1e12, the range of the kernels, 100 points a decade.
+inline std::vector<double> decades() {
+  std::vector<double> x;
+  for (int i = -1200; i <= 1200; ++i) x.push_back(std::pow(10, i / 100.0));
+  return x;
+}
+
 /// The temperature kernel M at the depth eta >= 0.
 inline Real M(Real zeta, Real eta = 0) {
   const Real r = eta == 0 ? std::abs(zeta) : std::hypot(zeta, eta);

@@ -29,15 +29,15 @@ void add(std::vector<Violation>& found, const char* what, const ArrayXd& s,
 
 }  // namespace
 
-std::vector<Violation> violations(const Factors& x) {
-  const ArrayXd stick = (x.border - x.s).max(0).sqrt();
-  const ArrayXd other_limit = 2 * x.friction * (1 - x.s).sqrt() * x.pressure - stick * x.slip;
+std::vector<Violation> violations(const Factors& at) {
+  const ArrayXd stick = (at.border - at.s).max(0).sqrt();
+  const ArrayXd other_limit = 2 * at.friction * (1 - at.s).sqrt() * at.pressure - stick * at.slip;
   std::vector<Violation> found;
-  add(found, "separation", x.s, x.pressure);
-  add(found, "backward slip", x.s, (x.s > x.border).select(x.slip, 1));
-  add(found, "traction above friction", x.s, (x.s < x.border).select(x.slip, 1));
-  add(found, "traction below -friction", x.s, (x.s < x.border).select(other_limit, 1));
-  if (!(x.load_ratio > 0)) found.push_back({"no load", -1, 1});
+  add(found, "separation", at.s, at.pressure);
+  add(found, "backward slip", at.s, (at.s > at.border).select(at.slip, 1));
+  add(found, "traction above friction", at.s, (at.s < at.border).select(at.slip, 1));
+  add(found, "traction below -friction", at.s, (at.s < at.border).select(other_limit, 1));
+  if (!(at.load_ratio > 0)) found.push_back({"no load", -1, 1});
   return found;
 }
 

@@ -42,7 +42,10 @@ struct Table {
     const double* c = &coefficients[(cell * (degree + 1) + degree) * 4];
     Pack4 sum, next;
     load(c, sum);
-    for (int i = 0; i < degree; ++i) load(c -= 4, next), sum = sum * u + next;
+    for (int i = 0; i < degree; ++i) {
+      load(c -= 4, next);
+      sum = sum * u + next;
+    }
     return {sum[0], sum[1], sum[2], sum[3]};
   }
   static Kernels exact(double x) {

@@ -8,7 +8,6 @@
 
 namespace thermoroll {
 
-/// The steel wheel on a steel rail of @tbl:steel; its friction coefficient is 0.6.
 PhysicalScene wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50}; }
 
 Scene scene_of(const PhysicalScene& si, double friction) {

@@ -20,9 +20,9 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   const Index n = z.y.size(), m = z.d.size();
   VectorXd position(n + m);
   position << z.s, z.r;
-  TractionOperators x{2 / pi, 2 * friction / pi, {}, {}, {}, {}};
-  x.gamma0 = z.over_root.transpose() * thermal.f / pi;
-  x.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
+  TractionOperators tractions{2 / pi, 2 * friction / pi, {}, {}, {}, {}};
+  tractions.gamma0 = z.over_root.transpose() * thermal.f / pi;
+  tractions.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
   MatrixXd in_p(n, n + m), in_v(n, m);
   for (Index i = 0; i < n; ++i) {
     const SlipPoint at(1 + z.y(i), 1 - z.y(i));
@@ -35,13 +35,14 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
     in_v.row(i) = z.over_w / away;
   }
   const VectorXd all_p = in_p.rowwise().sum(), less_v = -in_v.rowwise().sum();
-  x.p = all_p.asDiagonal() * thermal.f.topRows(n) - z.over_root.head(n).asDiagonal() * thermal.df;
-  x.v = less_v.asDiagonal() * thermal.g.topRows(n);
-  x.p.noalias() -= in_p * thermal.f;
-  x.v.noalias() += in_v * thermal.g.bottomRows(m);
-  x.p = (x.p.rowwise() + 2 * x.kappa) / pi;
-  x.v = (x.v.rowwise() + 2 * friction * x.kappa) / pi;
-  return x;
+  tractions.p =
+      all_p.asDiagonal() * thermal.f.topRows(n) - z.over_root.head(n).asDiagonal() * thermal.df;
+  tractions.v = less_v.asDiagonal() * thermal.g.topRows(n);
+  tractions.p.noalias() -= in_p * thermal.f;
+  tractions.v.noalias() += in_v * thermal.g.bottomRows(m);
+  tractions.p = (tractions.p.rowwise() + 2 * tractions.kappa) / pi;
+  tractions.v = (tractions.v.rowwise() + 2 * friction * tractions.kappa) / pi;
+  return tractions;
 }
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
@@ -66,20 +67,18 @@ Resultants resultants(const ContactGrid& grid, const VectorXd& h) {
           f * lost + ((a0 - z.d) * g).sum()};
 }
 
-/// Solve @eq:h at the given share of the heating from the start h; the number of steps, 0 if it
-/// fails.
 int newton(const ContactGrid& grid, double share, VectorXd& h) {
-  const TractionOperators& x = grid.tractions;
+  const TractionOperators& tractions = grid.tractions;
   const MatrixXd& legendre = grid.rules.slip.p;
   const ArrayXd& sigma = grid.nodes.sigma;
   Eigen::PartialPivLU<MatrixXd> jacobian;
   double moved = 1;
   for (int step = 1; step <= 25; ++step) {
-    const ArrayXd p = share * (x.p * h).array() + x.p0;
-    const ArrayXd v = share * (x.v * h).array() + x.v0;
+    const ArrayXd p = share * (tractions.p * h).array() + tractions.p0;
+    const ArrayXd v = share * (tractions.v * h).array() + tractions.v0;
     if (moved > 1e-3)
-      jacobian.compute(legendre - share * (sigma * v).matrix().asDiagonal() * x.p -
-                       share * (sigma * p).matrix().asDiagonal() * x.v);
+      jacobian.compute(legendre - share * (sigma * v).matrix().asDiagonal() * tractions.p -
+                       share * (sigma * p).matrix().asDiagonal() * tractions.v);
     const VectorXd change = jacobian.solve(legendre * h - (sigma * p * v).matrix());
     h -= change;
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
@@ -89,21 +88,18 @@ int newton(const ContactGrid& grid, double share, VectorXd& h) {
   return 0;
 }
 
-/// The Legendre coefficients of Carter's h at the nodes of the grid.
-VectorXd carter_start(const ContactGrid& grid) {
+VectorXd carter_h(const ContactGrid& grid) {
   const double f = grid.scene.friction;
   return to_legendre(grid.rules.slip) * (4 * f / (pi * pi) * grid.nodes.sigma).matrix();
 }
 
-/// Solve by Newton's method from h or, should that be no contact, by continuation in the heating
-/// from Carter's h; steps at the full heating, 0 if it fails.
 int solve_flux(const ContactGrid& grid, VectorXd& h) {
   const auto slips = [&](double share, const VectorXd& at) {
     return share * (grid.tractions.v * at).minCoeff() > -grid.tractions.v0;
   };
   const int direct = newton(grid, 1, h);
   if (direct > 0 && slips(1, h)) return direct;
-  VectorXd continued = carter_start(grid);
+  VectorXd continued = carter_h(grid);
   for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
     const double next = std::min(1.0, share * growth);
     VectorXd trial = continued;
@@ -122,13 +118,11 @@ int solve_flux(const ContactGrid& grid, VectorXd& h) {
   return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
-/// p-hat at all nodes; v-hat at the slip nodes, and on the stick zone the bracket of
-/// @eq:corrective-inverse. From s = -1 on: the stick nodes reversed, then the slip nodes.
 Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
-  const TractionOperators& x = grid.tractions;
+  const TractionOperators& tractions = grid.tractions;
   const Index n = z.y.size(), m = z.d.size();
-  const double friction = grid.scene.friction, kappa = 1 + x.kappa.dot(h);
+  const double friction = grid.scene.friction, kappa = 1 + tractions.kappa.dot(h);
   const ArrayXd f = grid.thermal.f * h, g = grid.thermal.g.bottomRows(m) * h;
   const GaussLegendre& stick = grid.rules.stick;
   const ArrayXd dx_dr = -stick.w / (z.over_w * (z.d * (z.zones.stick - z.d)).sqrt());
@@ -148,8 +142,8 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   p /= pi;
   v /= pi;
   ArrayXd pressure(m + n), slip(m + n), s(m + n);
-  pressure << p.reverse(), x.p0 + (x.p * h).array();
-  slip << v.reverse(), x.v0 + (x.v * h).array();
+  pressure << p.reverse(), tractions.p0 + (tractions.p * h).array();
+  slip << v.reverse(), tractions.v0 + (tractions.v * h).array();
   s << z.r.reverse(), z.s;
   return {friction, z.zones.c0(), kappa, s, pressure, slip};
 }

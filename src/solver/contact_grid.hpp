@@ -47,14 +47,16 @@ Resultants resultants(const ContactGrid& grid, const Eigen::VectorXd& h);
 /// fails.
 int newton(const ContactGrid& grid, double share, Eigen::VectorXd& h);
 
-/// The Legendre coefficients of Carter's h at the n slip nodes.
-Eigen::VectorXd carter_start(const ContactGrid& grid);
+/// The Legendre coefficients of Carter's h, as many as the grid has slip nodes.
+Eigen::VectorXd carter_h(const ContactGrid& grid);
 
 /// Solve by Newton's method from h or, should that be no contact, by continuation in the heating
 /// from Carter's h; steps at the full heating, 0 if it fails.
 int solve_flux(const ContactGrid& grid, Eigen::VectorXd& h);
 
-/// What the tractions are made of, on both zones (@sec:admissibility), for an h.
+/// What the tractions are made of (@sec:admissibility), for an h: p-hat at all nodes; v-hat at the
+/// slip nodes, and on the stick zone the bracket of @eq:corrective-inverse. From s = -1 on: the
+/// stick nodes reversed, then the slip nodes.
 Factors factors(const ContactGrid& grid, const Eigen::VectorXd& h);
 
 }  // namespace thermoroll

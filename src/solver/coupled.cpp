@@ -86,7 +86,7 @@ GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
   const ContactGrid grid = contact_grid(scene, formulation, at, n);
   GridSolution found;
   found.at = at;
-  found.h = carter_start(grid);
+  found.h = carter_h(grid);
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
   found.peak = find_hottest(at.slip, scene.peclet, found.h, from.peak, grid.rules.fine);
@@ -103,8 +103,8 @@ double residual(const GridSolution& x, const Prescribed& given) {
 }
 
 /// The border moved towards s = 1; the shorter zone keeps its digits.
-ZoneLengths moved_by(const ZoneLengths& x, double step) {
-  const double slip = x.slip - step, stick = x.stick + step;
+ZoneLengths moved_by(const ZoneLengths& zones, double step) {
+  const double slip = zones.slip - step, stick = zones.stick + step;
   return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
 }
 
@@ -119,7 +119,8 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     level = solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) {
       if (k == 0 || ++failed == 8) break;
-      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2}, level = last;
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2};
+      level = last;
       continue;
     }
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;

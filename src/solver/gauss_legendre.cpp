@@ -12,7 +12,6 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// P_0 ... P_{n-1} at x, a column each.
 MatrixXd legendre(const ArrayXd& x, Index n) {
   MatrixXd p = MatrixXd::Ones(x.size(), n);
   if (n > 1) p.col(1) = x;
@@ -33,7 +32,8 @@ static GaussLegendre make_rule(int n) {
     gsl_integration_glfixed_point(-1, 1, i, &rule.x(k), &rule.w(k), table);
   }
   gsl_integration_glfixed_table_free(table);
-  rule.rho = (1 + rule.x) / 2, rule.cube = rule.rho.cube();
+  rule.rho = (1 + rule.x) / 2;
+  rule.cube = rule.rho.cube();
   const MatrixXd all = legendre(rule.x, n + 1);
   rule.p = all.leftCols(n);
   const ArrayXd slope_of_p_n = n * (all.col(n - 1).array() - rule.x * all.col(n).array());

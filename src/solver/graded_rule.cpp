@@ -12,8 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Quadrature nodes from the target at y0 to y = 1; left = 1 + y0 and right = 1 - y0. The gap, in
-/// lengths of the slip zone, is that of a target in the stick zone, with left = 0.
 void grade(GradedRule& graded, double peclet, double gap, double left, double right,
            const GaussLegendre& rule) {
   const SlipPoint from(left, right);
@@ -40,14 +38,12 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
   graded.by_h = 3 * middle / omega * du * dy;
 }
 
-/// The kernels at all of these distances.
 std::vector<Kernels> at_distances(const ArrayXd& zeta) {
   std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
   fast_kernels(k.size(), zeta.data(), k.data());
   return k;
 }
 
-/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored graded.
 void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
   const std::vector<Kernels> kernels = at_distances(graded.zeta);
   weights.resize(graded.y.size(), 5);
@@ -58,7 +54,6 @@ void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
   }
 }
 
-/// Column l of sums receives the sums of the five weights times P_l(y), for all columns.
 THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& weights,
                                      Sums& sums) {
   GradedArray now = GradedArray::Ones(y.size()), next = y;
@@ -67,45 +62,56 @@ THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& 
     const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
     Pack4 sum[5] = {};
     for (Index k = 0; k < y.size(); k += 4) {
-      load(&y[k], x), load(&now[k], p), load(&next[k], q);
-      for (Index w = 0; w < 5; ++w) load(&weights(k, w), weight), sum[w] += weight * p;
-      store(q, &now[k]), store(up * x * q - down * p, &next[k]);
+      load(&y[k], x);
+      load(&now[k], p);
+      load(&next[k], q);
+      for (Index w = 0; w < 5; ++w) {
+        load(&weights(k, w), weight);
+        sum[w] += weight * p;
+      }
+      store(q, &now[k]);
+      store(up * x * q - down * p, &next[k]);
     }
     for (Index w = 0; w < 5; ++w) sums(w, l) = sum_of(sum[w]);
   }
 }
 
 MatrixXd by_derivatives(const MatrixXd& sums) {
-  MatrixXd x = MatrixXd::Zero(sums.rows(), sums.cols());
-  for (Index l = 1; l < x.cols(); ++l) {
-    x.col(l) = static_cast<double>(2 * l - 1) * sums.col(l - 1);
-    if (l > 1) x.col(l) += x.col(l - 2);
+  MatrixXd derivatives = MatrixXd::Zero(sums.rows(), sums.cols());
+  for (Index l = 1; l < derivatives.cols(); ++l) {
+    derivatives.col(l) = static_cast<double>(2 * l - 1) * sums.col(l - 1);
+    if (l > 1) derivatives.col(l) += derivatives.col(l - 2);
   }
-  return x;
+  return derivatives;
 }
 
-/// The sums of c(l) P_l(side y), twice four nodes at a time, as each term waits for the last.
 THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
   GradedArray sums(y.size());
   VectorXd down(c.size());
   for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
   for (Index k = 0; k < y.size(); k += 8) {
     Pack4 x, z;
-    load(&y[k], x), load(&y[k + 4], z);
-    x *= side, z *= side;
+    load(&y[k], x);
+    load(&y[k + 4], z);
+    x *= side;
+    z *= side;
     Pack4 a = {}, p = a + 1, q = x, b = {}, u = p, v = z;
     for (Index l = 0; l < c.size(); ++l) {
-      a += c(l) * p, b += c(l) * u;
+      a += c(l) * p;
+      b += c(l) * u;
       const Pack4 then = (1 + down(l)) * x * q - down(l) * p;
       const Pack4 next = (1 + down(l)) * z * v - down(l) * u;
-      p = q, q = then, u = v, v = next;
+      p = q;
+      q = then;
+      u = v;
+      v = next;
     }
-    store(a, &sums[k]), store(b, &sums[k + 4]);
+    store(a, &sums[k]);
+    store(b, &sums[k + 4]);
   }
   return sums;
 }
 
-/// The coefficients of the derivative.
 VectorXd derivative(const VectorXd& c) {
   VectorXd d = VectorXd::Zero(c.size());
   for (Index l = c.size() - 2; l >= 0; --l)

@@ -36,7 +36,8 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
 /// The kernels at all of these distances |zeta| > 0.
 std::vector<Kernels> at_distances(const Eigen::ArrayXd& zeta);
 
-/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 of the mirrored rule.
+/// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 with the heat of the mirrored
+/// rule; a row for each node.
 void kernel_weights(const GradedRule& graded, KernelWeights& weights);
 
 /// Column l of sums receives the sums of the five weights times P_l(y), for all columns; a multiple

@@ -139,7 +139,8 @@ Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
   Eigen::ArrayXd s(2 * zone + 1);
   s.tail(zone + 1) = c.c0 + 2 * c.slip_half_width * angle.sin().square();
   s.head(zone + 1) = -1 + 2 * c.b * angle.sin().square();
-  s(zone) = c.c0, s(2 * zone) = 1;
+  s(zone) = c.c0;
+  s(2 * zone) = 1;
   return s;
 }
 

@@ -88,7 +88,8 @@ HottestPoint find_hottest(double slip, double peclet, const VectorXd& h, const H
       if (now.value < hottest * (1 - 1e-6)) return search(slip, peclet, h, rule);
       return {next, now.value * (1 + slope * move / 2), curvature};
     }
-    last = y, before = slope;
+    last = y;
+    before = slope;
     y = low < next && next < high ? next : (low + high) / 2;
   }
 }

@@ -12,12 +12,30 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 
+namespace {
+
+/// N1 and N2 at the distances zeta (columns), and as much further (rows).
+void kernels_further(const GradedArray& zeta, const ArrayXd& further, MatrixXd& n1, MatrixXd& n2) {
+  n1.resize(further.size(), zeta.size());
+  n2.resize(further.size(), zeta.size());
+  for (Index i = 0; i < zeta.size(); ++i) {
+    const std::vector<Kernels> all = at_distances(zeta(i) + further);
+    for (Index j = 0; j < further.size(); ++j) {
+      const Kernels& k = all[static_cast<std::size_t>(j)];
+      n1(j, i) = k.n1;
+      n2(j, i) = k.n2_up;
+    }
+  }
+}
+
+}  // namespace
+
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
                            const GaussLegendre& rule) {
   const Index n = z.y.size(), m = z.d.size();
   const double slip = z.zones.slip, peclet = scene.peclet * slip;
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
-  ThermalTerms x{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
+  ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
   GradedRule graded;
   KernelWeights weights;
   Sums sums(5, terms);
@@ -28,27 +46,25 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
     kernel_weights(graded, weights);
     legendre_sums(graded.y, weights, sums);
-    x.f.row(i) = sums.row(0), x.df.row(i) = sums.row(1), by_dh.row(i) = sums.row(2);
-    x.g.row(i) += sums.row(3), x.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
+    thermal.f.row(i) = sums.row(0);
+    thermal.df.row(i) = sums.row(1);
+    by_dh.row(i) = sums.row(2);
+    thermal.g.row(i) += sums.row(3);
+    thermal.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
   }
-  x.df += by_derivatives(by_dh);
+  thermal.df += by_derivatives(by_dh);
   const ArrayXd gap = z.d / slip;
   grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
-  MatrixXd n1(m, graded.y.size()), n2 = n1;
-  const ArrayXd further = peclet * (gap - gap.minCoeff());
-  for (Index i = 0; i < graded.y.size(); ++i) {
-    const std::vector<Kernels> k = at_distances(graded.zeta(i) + further);
-    for (Index j = 0; j < m; ++j) {
-      const Kernels& at = k[static_cast<std::size_t>(j)];
-      n1(j, i) = at.n1, n2(j, i) = at.n2_up;
-    }
-  }
+  MatrixXd n1, n2;
+  kernels_further(graded.zeta, peclet * (gap - gap.minCoeff()), n1, n2);
   const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
-  x.f.bottomRows(m).noalias() = n1 * heat, x.g.bottomRows(m).noalias() = n2 * heat;
+  thermal.f.bottomRows(m).noalias() = n1 * heat;
+  thermal.g.bottomRows(m).noalias() = n2 * heat;
   const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
-  x.g = strength * slip * (strain_share(scene) * x.g / pi + in_n * x.f);
-  x.f *= -sign * strength * slip, x.df *= -sign * strength;
-  return x;
+  thermal.g = strength * slip * (strain_share(scene) * thermal.g / pi + in_n * thermal.f);
+  thermal.f *= -sign * strength * slip;
+  thermal.df *= -sign * strength;
+  return thermal;
 }
 
 }  // namespace thermoroll

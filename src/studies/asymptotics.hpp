@@ -1,7 +1,7 @@
 // Tangled from paper/16-where-methods-fail.md; edit there.
 #pragma once
 
-#include "thermoroll/heat_flux.hpp"
+#include "thermoroll/carter.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -20,12 +19,14 @@ std::string fixed(double value, int decimals) {
   return text.str();
 }
 
-/// 1.2e-3 as $1.2\cdot10^{-3}$.
 std::string scientific(double value, int digits) {
   if (value == 0) return "0";
-  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return "$" + fixed(value / std::pow(10, exponent), digits - 1) + "\\cdot10^{" +
-         std::to_string(exponent) + "}$";
+  std::ostringstream stream;
+  stream << std::scientific << std::setprecision(digits - 1) << value;
+  const std::string text = stream.str();  // 2.1e-03
+  const std::size_t e = text.find('e');
+  const int exponent = std::stoi(text.substr(e + 1));
+  return "$" + text.substr(0, e) + "\\cdot10^{" + std::to_string(exponent) + "}$";
 }
 
 }  // namespace thermoroll

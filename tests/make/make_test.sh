@@ -324,8 +324,34 @@ InstalledPackage() { # in the copy
   sed '$d' "$user/expected" >"$user/other"
   ! same_answers "$user/other" "$user/printed" || fail "a missing line was not found"
 
+  if command -v pkg-config >/dev/null; then
+    export PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name thermoroll.pc)")
+    eval "c++ -std=c++17 '$user/example.cpp' $(pkg-config --cflags --libs thermoroll) -o '$user/by-flags'"
+    "$user/by-flags" | cmp "$user/printed" || fail "other answers by pkg-config"
+  fi
+
   sed -i 's/find_package(thermoroll /&0.0 /' "$user/CMakeLists.txt"
   ! cmake -S "$user" -B "$user/build" >/dev/null 2>&1 || fail "another version was taken for this one"
+}
+
+# Within another project the target and the include path are those of the installed package. What only
+# the program needs is not looked for, and the library is all there is to build.
+UsedInAnotherProject() {
+  local user="$work/user" how goals
+  mkdir -p "$user"
+  readme cpp >"$user/example.cpp"
+  echo "add_subdirectory(\"$project\" thermoroll)" >"$work/add_subdirectory"
+  printf '%s\n' 'include(FetchContent)' 'FetchContent_Declare(thermoroll URL https://example.org/thermoroll.tar.gz)' \
+    'FetchContent_MakeAvailable(thermoroll)' >"$work/FetchContent"
+  for how in add_subdirectory FetchContent; do
+    rm -rf "$user/build"
+    readme cmake | sed -e "/^find_package/{r $work/$how" -e 'd}' >"$user/CMakeLists.txt"
+    cmake -Wno-dev --no-warn-unused-cli -G 'Unix Makefiles' -S "$user" -B "$user/build" -DFETCHCONTENT_SOURCE_DIR_THERMOROLL="$project" \
+      -DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,nlohmann_json,GTest,benchmark}=ON >/dev/null || fail "$how: see above"
+    cmake --build "$user/build" --target example.cpp.o >/dev/null || fail "$how: the header is not found"
+    goals=$(cmake --build "$user/build" --target help | sed -n 's/^\.\.\. \([^.]*\)$/\1/p' | grep -e thermoroll -e test | sort | paste -sd ' ')
+    [ "$goals" = 'thermoroll thermoroll-options' ] || [ "$goals" = thermoroll ] || fail "$how builds $goals"
+  done
 }
 
 # The builds that look for mistakes stop at a warning, and so does the program that is compiled for the

@@ -11,18 +11,18 @@ namespace {
 
 using reference::close;
 using reference::Real;
+using reference::size_of_N2;
 using thermoroll::fast_slope_and_strain;
 using thermoroll::fast_temperature;
 namespace kernel = thermoroll::kernel;
 
-// The promise of fast_kernels.hpp.
+// The promise of kernel_table.hpp.
 constexpr Real promised = 1e-13L;
 
-// 1e-12 to 1e12, 100 points a decade, both sides of every border of a cell of the tables, and the
-// places between where a polynomial errs most.
-std::vector<double> decades() {
-  std::vector<double> x;
-  for (int i = -1200; i <= 1200; ++i) x.push_back(std::pow(10, i / 100.0));
+// All decades, both sides of every border of a cell of the tables, and the places between where a
+// polynomial errs most.
+std::vector<double> arguments() {
+  std::vector<double> x = reference::decades();
   for (int octave = -39; octave < 40; ++octave)
     for (int cell = 8; cell < 16; ++cell) {
       const double low = std::ldexp(cell, octave - 3), width = std::ldexp(1, octave - 3);
@@ -32,15 +32,10 @@ std::vector<double> decades() {
   return x;
 }
 
-// What N2 is relative to: near its zero, upstream, the larger of its terms is the pole 1/zeta.
-Real size_of_N2(double zeta, Real value) {
-  return zeta > 0.2 && zeta < 0.4 ? 1 / static_cast<Real>(zeta) : std::abs(value);
-}
-
 }  // namespace
 
 TEST(FastKernels, EqualTheKernels) {
-  for (const double x : decades()) {
+  for (const double x : arguments()) {
     const Real slope = reference::N1(x);
     EXPECT_TRUE(close(fast_slope_and_strain(x).n1, slope, promised * slope)) << "N1, zeta = " << x;
     EXPECT_EQ(fast_slope_and_strain(-x).n1, 0) << "no slope downstream, zeta = " << -x;

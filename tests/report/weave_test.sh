@@ -474,4 +474,29 @@ END
   cmp page.html again.html
 }
 
+# Colours are kept from one report to the next, and made anew where the code is another.
+ColoursAreKept() {
+  chapter <<'END'
+# Code {#sec:code}
+
+The code:
+
+``` {.cpp file=src/a.cpp title="All"}
+int first;
+```
+END
+  weave page.html one.md
+  local kept=build/colours-cpp
+  [ -s $kept ] || fail "nothing is kept"
+  mv page.html before.html
+  weave page.html one.md
+  cmp page.html before.html || fail "the colours that were kept make another page"
+  sed -i 's/first/other/' $kept
+  weave page.html one.md
+  grep -q 'other' page.html || fail "what was kept is not used"
+  sed -i 's/int first;/int third;/' one.md
+  weave page.html one.md
+  grep -q 'third' page.html && ! grep -q 'other' page.html || fail "another code has the colours of the first"
+}
+
 "$1"

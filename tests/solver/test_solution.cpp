@@ -75,7 +75,8 @@ FoundPeaks fine_peaks(const Driven& scene, Formulation formulation) {
   const Approach tight{Method::coupled, formulation, 200, 1e-10};
   Driven near = scene, nearer = scene;
   if (scene.traction < (1 - 1e-10) * scene.friction) return peaks(solve(scene, tight));
-  near.traction = (1 - 4e-8) * scene.friction, nearer.traction = (1 - 1e-8) * scene.friction;
+  near.traction = (1 - 4e-8) * scene.friction;
+  nearer.traction = (1 - 1e-8) * scene.friction;
   const Peaks x = peaks(solve(near, tight)).value, y = peaks(solve(nearer, tight)).value;
   const double b = std::sqrt((scene.friction - scene.traction) / scene.friction);
   FoundPeaks end{x, x};
@@ -460,7 +461,8 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
       const double most = *x.error.*field + *fine.error.*field + 1e-14 * fine.value.*field;
       const double off = std::abs(x.value.*field - fine.value.*field);
       EXPECT_LE(off, 10 * most) << i;
-      ++compared, exceeded += off > most;
+      ++compared;
+      exceeded += off > most;
     }
     EXPECT_EQ(x.error->half_width, 0);
     EXPECT_EQ(x.error->hertz_pressure, 0);
@@ -474,7 +476,8 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
   for (const double load : {1.2e7, 1e8})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
       PhysicalScene c = wheel_on_rail();
-      c.load = load, c.expansion *= 10;
+      c.load = load;
+      c.expansion *= 10;
       const Prescribed given{traction, 0.5};
       const Approach tight{Method::coupled, formulation, 200, 1e-9};
       const FoundInSi exact = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, tight), c);

@@ -385,7 +385,11 @@ TEST(Iteration, TrailingEdgeHasItsPower) {
       for (Eigen::Index i = 0; i < p.size(); ++i) {
         const double at = std::log(1 - map.s(i)), value = std::log(p(i));
         if (at < std::log(30 / peclet) || at > std::log(3e-3)) continue;
-        x += at, y += value, xx += at * at, xy += at * value, count += 1;
+        x += at;
+        y += value;
+        xx += at * at;
+        xy += at * value;
+        count += 1;
       }
       ASSERT_GT(count, 8);
       const double power = (count * xy - x * y) / (count * xx - x * x);

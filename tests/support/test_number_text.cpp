@@ -25,9 +25,9 @@ TEST(NumberText, IsReadBack) {
 }
 
 // In TeX a number has one digit before its point and the exponent that goes with that: mantissa and
-// power make up the number, to half of the last digit.
+// power make up the number, to half of the last digit. A mantissa that rounds to ten is none.
 TEST(NumberText, ScientificHasOneDigitBeforeThePoint) {
-  for (const double x : {1.0, 1.2e-3, 9.4, 2.3e17, 4.56e-290, 7.0, 0.03})
+  for (const double x : {1.0, 1.2e-3, 9.4, 9.94, 9.97e-3, 99.99999, 2.3e17, 4.56e-290, 7.0, 0.03})
     for (const double sign : {-1.0, 1.0})
       for (const int digits : {1, 2, 4}) {
         const std::string text = scientific(sign * x, digits);

@@ -25,6 +25,6 @@ struct Violation {
 };
 
 /// What is violated, in that order; a NaN is a violation. Empty for a contact.
-std::vector<Violation> violations(const Factors& x);
+std::vector<Violation> violations(const Factors& at);
 
 }  // namespace thermoroll

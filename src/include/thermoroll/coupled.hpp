@@ -11,7 +11,6 @@
 
 #include "thermoroll/admissibility.hpp"
 #include "thermoroll/carter.hpp"
-#include "thermoroll/heat_flux.hpp"
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/results.hpp"
 #include "thermoroll/scene.hpp"

@@ -1,7 +1,7 @@
 // Tangled from paper/07-temperature.md; edit there.
 #pragma once
 
-#include "thermoroll/heat_flux.hpp"
+#include "thermoroll/carter.hpp"
 #include "thermoroll/quadrature.hpp"
 
 namespace thermoroll {
