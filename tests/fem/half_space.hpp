@@ -3,10 +3,12 @@
 //
 // Units: half-width a = 1, conductivity K = 1, alpha (1 + nu) = 1, shear modulus mu = 1. So fluxes
 // are per phi, temperatures per phi a / K, slopes and strains per alpha (1 + nu) phi a / K where
-// heat causes them, and per p / mu where pressure p does. The depth y grows into the body, and the
-// displacement uy is positive into it; the material flows in the direction of x.
+// heat causes them, and per p / mu where pressure p does. The surface is y = 0, and the body lies
+// on either side of it; the material flows in the direction of x on both. Displacements ux and uy
+// are positive along x and y, wherever the body lies.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -34,23 +36,24 @@ inline std::array<double, 3> shape(double r) {
 }
 inline std::array<double, 3> slope(double r) { return {r - 0.5, -2 * r, r + 0.5}; }
 
-// Node (i, j) is at x[i], y[j], and the surface is j = 0. The element (e, f), both even, has the
-// nodes e..e+2 by f..f+2.
+// Node (i, j) is at x[i], y[j], and the surface is j = 0; from there y may grow or fall. The
+// element (e, f), both even, has the nodes e..e+2 by f..f+2.
 struct Mesh {
   std::vector<double> x, y;
   int columns() const { return static_cast<int>(x.size()); }
   int rows() const { return static_cast<int>(y.size()); }
   int nodes() const { return columns() * rows(); }
   int node(int i, int j) const { return i + columns() * j; }
+  double inward() const { return y.back() > 0 ? 1 : -1; }  // the direction of y into the body
 };
 
-// Nodes from 0 on: elements of length step as far as even, then each by a sixth longer than the one
-// before, until reach is passed.
-inline std::vector<double> graded(double step, double even, double reach) {
+// Nodes from 0 on: elements of length step as far as even, then each by the factor growth longer
+// than the one before, until reach is passed.
+inline std::vector<double> graded(double step, double even, double reach, double growth) {
   std::vector<double> x{0};
   while (x.back() < reach) {
     const double start = x.back();
-    if (start > even - step / 2) step *= 7.0 / 6;
+    if (start > even - step / 2) step *= growth;
     x.push_back(start + step / 2);
     x.push_back(start + step);
   }
@@ -59,12 +62,29 @@ inline std::vector<double> graded(double step, double even, double reach) {
 
 // A half-space that ends at the distance reach on both sides and below, with elements of length
 // step in |x| < 1.2 and next to the surface.
-inline Mesh mesh(double step, double reach) {
-  const std::vector<double> right = graded(step, 1.2, reach);
+inline Mesh mesh(double step, double reach, double growth = 7.0 / 6) {
+  const std::vector<double> right = graded(step, 1.2, reach, growth);
   std::vector<double> x;
   for (auto node = right.rbegin(); *node > 0; ++node) x.push_back(-*node);
   x.insert(x.end(), right.begin(), right.end());
-  return {x, graded(step, 0, reach)};
+  return {x, graded(step, 0, reach, growth)};
+}
+
+// Each element cut into four equal ones.
+inline std::vector<double> halved(const std::vector<double>& x) {
+  std::vector<double> finer{x[0]};
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    finer.push_back((x[i - 1] + x[i]) / 2);
+    finer.push_back(x[i]);
+  }
+  return finer;
+}
+inline Mesh halved(const Mesh& m) { return {halved(m.x), halved(m.y)}; }
+
+// The mesh on the other side of the surface: y changes its sign, x and so the motion do not.
+inline Mesh above(Mesh m) {
+  for (double& y : m.y) y = -y;
+  return m;
 }
 
 // One of an element's nine Gauss points: the shape functions of the element's nodes there, their
@@ -92,7 +112,7 @@ void for_each_element(const Mesh& m, const Visit& visit) {
           points[g].dx[n] = slope(r)[n % 3] * shape(s)[n / 3] / a;
           points[g].dy[n] = shape(r)[n % 3] * slope(s)[n / 3] / b;
         }
-        points[g].area = weight[g % 3] * weight[g / 3] * a * b;
+        points[g].area = weight[g % 3] * weight[g / 3] * a * std::abs(b);
       }
       visit(nodes, points);
     }
@@ -140,21 +160,28 @@ inline VectorXd surface_load(const Mesh& m, const Function& density) {
   return load;
 }
 
-// Nodal temperatures of 2 Pe dT/dx = div grad T with -dT/dy = flux on the surface, T = 0 upstream
-// and below, and dT/dx = 0 where the material leaves. Galerkin's method as it stands: the elements
-// are short against 1/Pe where T is rough, and T is smooth where they are long.
-inline VectorXd temperature(const Mesh& m, double peclet, const Function& flux) {
-  Equations heat(m.nodes());
-  for (int j = 0; j < m.rows(); ++j) heat.held[m.node(0, j)] = true;
-  for (int i = 0; i < m.columns(); ++i) heat.held[m.node(i, m.rows() - 1)] = true;
+// Adds 2 Pe dT/dx = div grad T, times a conductivity, for the nodal temperatures of a body that are
+// numbered from first on; T = 0 upstream and below, and dT/dx = 0 where the material leaves.
+// Galerkin's method as it stands: the elements are short against 1/Pe where T is rough, and T is
+// smooth where they are long.
+inline void conduct(Equations& heat, const Mesh& m, double peclet, double conductivity, int first) {
+  for (int j = 0; j < m.rows(); ++j) heat.held[first + m.node(0, j)] = true;
+  for (int i = 0; i < m.columns(); ++i) heat.held[first + m.node(i, m.rows() - 1)] = true;
   for_each_element(m, [&](const auto& nodes, const auto& points) {
     Matrix9 element = Matrix9::Zero();
     for (const Point& p : points)
-      element += p.area * (p.dx * p.dx.transpose() + p.dy * p.dy.transpose() +
-                           2 * peclet * p.N * p.dx.transpose());
+      element +=
+          p.area * conductivity *
+          (p.dx * p.dx.transpose() + p.dy * p.dy.transpose() + 2 * peclet * p.N * p.dx.transpose());
     for (int i = 0; i < 9; ++i)
-      for (int j = 0; j < 9; ++j) heat.add(nodes[i], nodes[j], element(i, j));
+      for (int j = 0; j < 9; ++j) heat.add(first + nodes[i], first + nodes[j], element(i, j));
   });
+}
+
+// Nodal temperatures of a body that takes this flux through its surface.
+inline VectorXd temperature(const Mesh& m, double peclet, const Function& flux) {
+  Equations heat(m.nodes());
+  conduct(heat, m, peclet, 1, 0);
   return heat.solved<Eigen::SparseLU<Sparse>>(surface_load(m, flux));
 }
 
@@ -182,7 +209,7 @@ inline VectorXd thermal_load(const Mesh& m, const VectorXd& T) {
 inline VectorXd pressure_load(const Mesh& m, const Function& pressure) {
   const VectorXd pushed = surface_load(m, pressure);
   VectorXd load = VectorXd::Zero(2 * m.nodes());
-  for (int i = 0; i < m.nodes(); ++i) load[2 * i + 1] = pushed[i];
+  for (int i = 0; i < m.nodes(); ++i) load[2 * i + 1] = m.inward() * pushed[i];
   return load;
 }
 
@@ -213,7 +240,7 @@ inline MatrixXd displacements(const Mesh& m, const MatrixXd& loads) {
   return balance.solved<Eigen::SimplicialLDLT<Sparse>>(loads);
 }
 
-// The surface at x.
+// The surface at x; the slope is that of the displacement out of the body, the strain dux/dx.
 struct Surface {
   double x, temperature, outward_slope, strain;
 };
@@ -230,11 +257,40 @@ inline std::vector<Surface> surface(const Mesh& m, const VectorXd& T, const Vect
         const int node = m.node(e + n, 0);
         s.temperature += shape(r)[n] * T[node];
         s.strain += slope(r)[n] / a * u[2 * node];
-        s.outward_slope -= slope(r)[n] / a * u[2 * node + 1];
+        s.outward_slope -= m.inward() * slope(r)[n] / a * u[2 * node + 1];
       }
       if (std::abs(s.x) < 1.2) points.push_back(s);
     }
   return points;
+}
+
+inline double no_pressure(double) { return 0; }
+
+// The surface over each of several nodal temperatures (columns) and under one pressure, with one
+// factorisation.
+inline std::vector<std::vector<Surface>> surfaces(const Mesh& m, const MatrixXd& T,
+                                                  const Function& pressure = no_pressure) {
+  MatrixXd loads(2 * m.nodes(), T.cols());
+  for (int i = 0; i < T.cols(); ++i)
+    loads.col(i) = thermal_load(m, T.col(i)) + pressure_load(m, pressure);
+  const MatrixXd u = displacements(m, loads);
+  std::vector<std::vector<Surface>> result(loads.cols());
+  for (int i = 0; i < T.cols(); ++i) result[i] = surface(m, T.col(i), u.col(i));
+  return result;
+}
+
+// A value of the surface at x: the cubic through its four nearest points.
+inline double interpolated(const std::vector<Surface>& points, double Surface::*value, double x) {
+  const auto before = [x](const Surface& p) { return p.x < x; };
+  const auto right = std::partition_point(points.begin() + 2, points.end() - 2, before);
+  double sum = 0;
+  for (auto p = right - 2; p != right + 2; ++p) {
+    double product = *p.*value;
+    for (auto q = right - 2; q != right + 2; ++q)
+      if (q != p) product *= (x - q->x) / (p->x - q->x);
+    sum += product;
+  }
+  return sum;
 }
 
 }  // namespace fem

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "comparison.hpp"
 #include "half_space.hpp"
-#include "response.hpp"
 
-using response::Patch;
+using namespace comparison;
 using thermoroll::pi;
 
 namespace {
@@ -21,60 +21,11 @@ namespace {
 const double step = 0.05, reach = 5000;
 const double tolerance = 1e-3;  // of the largest value
 
-Patch smooth_flux(double from, double to, double peak) {
-  return {from, to, [=](double x) {
-            const double r = (2 * x - from - to) / (to - from);
-            return peak * (1 - r * r) * (1 - r * r);
-          }};
-}
 const Patch bump = smooth_flux(-1, 1, 1);
-double no_pressure(double) { return 0; }
-
-// The surface over each of several temperatures and under one pressure, with one factorisation.
-std::vector<std::vector<fem::Surface>> solved(const fem::Mesh& m, const fem::MatrixXd& T,
-                                              const fem::Function& pressure = no_pressure) {
-  fem::MatrixXd loads(2 * m.nodes(), T.cols());
-  for (int i = 0; i < T.cols(); ++i)
-    loads.col(i) = fem::thermal_load(m, T.col(i)) + fem::pressure_load(m, pressure);
-  const fem::MatrixXd u = fem::displacements(m, loads);
-  std::vector<std::vector<fem::Surface>> result(loads.cols());
-  for (int i = 0; i < T.cols(); ++i) result[i] = fem::surface(m, T.col(i), u.col(i));
-  return result;
-}
-
-// The largest difference between found(p) and expected(p.x), and between found and -expected, both
-// over the largest expected value.
-struct Mismatch {
-  double same_sign, opposite_sign;
-};
-Mismatch mismatch(const std::vector<fem::Surface>& points, double fem::Surface::*found,
-                  const fem::Function& expected) {
-  double same = 0, opposite = 0, largest = 0;
-  for (const fem::Surface& p : points) {
-    const double value = expected(p.x);
-    same = std::max(same, std::abs(p.*found - value));
-    opposite = std::max(opposite, std::abs(p.*found + value));
-    largest = std::max(largest, std::abs(value));
-  }
-  return {same / largest, opposite / largest};
-}
-
-// The three mismatches of a heated surface with the kernels.
-struct Comparison {
-  Mismatch temperature, slope, strain;
-};
-Comparison compare(const std::vector<fem::Surface>& points, double peclet, const Patch& flux) {
-  using namespace std::placeholders;
-  return {mismatch(points, &fem::Surface::temperature,
-                   std::bind(response::temperature, peclet, flux, _1)),
-          mismatch(points, &fem::Surface::outward_slope,
-                   std::bind(response::outward_slope, peclet, flux, _1)),
-          mismatch(points, &fem::Surface::strain, std::bind(response::strain, peclet, flux, _1))};
-}
 
 Comparison compare(double peclet, double mesh_step, double mesh_reach) {
   const fem::Mesh m = fem::mesh(mesh_step, mesh_reach);
-  return compare(solved(m, fem::temperature(m, peclet, bump)).front(), peclet, bump);
+  return against_kernels(fem::surfaces(m, fem::temperature(m, peclet, bump)).front(), peclet, bump);
 }
 
 // A frictionless contact whose pressure is bounded at both ends. Lengths are in Hertz half-widths
@@ -111,15 +62,6 @@ Contact contact(const fem::Function& slope) {
   return c;
 }
 
-// The slope at x, straight between its values at the points.
-double interpolated(const std::vector<fem::Surface>& points, double x) {
-  auto right = std::find_if(points.begin() + 1, points.end() - 1,
-                            [x](const fem::Surface& p) { return p.x >= x; });
-  const auto left = right - 1;
-  const double r = (x - left->x) / (right->x - left->x);
-  return (1 - r) * left->outward_slope + r * right->outward_slope;
-}
-
 }  // namespace
 
 // Heat lifts the surface and stretches it as the kernels say, with +N1 outward and +N2; the
@@ -129,9 +71,9 @@ TEST(HeatedHalfSpace, FollowsTheKernels) {
   const fem::Mesh m = fem::mesh(step, reach);
   fem::MatrixXd T(m.nodes(), 3);
   for (int i = 0; i < 3; ++i) T.col(i) = fem::temperature(m, peclets[i], bump);
-  const auto surfaces = solved(m, T);
+  const auto heated = fem::surfaces(m, T);
   for (int i = 0; i < 3; ++i) {
-    const Comparison c = compare(surfaces[i], peclets[i], bump);
+    const Comparison c = against_kernels(heated[i], peclets[i], bump);
     EXPECT_LT(c.temperature.same_sign, tolerance) << "Pe = " << peclets[i];
     EXPECT_LT(c.slope.same_sign, tolerance) << "Pe = " << peclets[i];
     EXPECT_LT(c.strain.same_sign, tolerance) << "Pe = " << peclets[i];
@@ -160,7 +102,8 @@ TEST(HeatedHalfSpace, DifferenceIsTheMeshAndTheWalls) {
 TEST(HeatedHalfSpace, PressurePushesTheOtherWay) {
   const auto pressure = [](double x) { return std::pow(std::max(1 - x * x, 0.0), 1.5); };
   const fem::Mesh m = fem::mesh(step, reach);
-  std::vector<fem::Surface> points = solved(m, fem::VectorXd::Zero(m.nodes()), pressure).front();
+  std::vector<fem::Surface> points =
+      fem::surfaces(m, fem::VectorXd::Zero(m.nodes()), pressure).front();
   const auto beyond = [](const fem::Surface& p) { return std::abs(p.x) > 1; };
   points.erase(std::remove_if(points.begin(), points.end(), beyond), points.end());
   const auto outward = [](double x) { return (1 - fem::poisson) * (1.5 * x - x * x * x); };
@@ -177,11 +120,13 @@ TEST(HeatedContact, CentroidMovesTowardsTheHeat) {
   const double peclet = 2;
   const Patch flux = smooth_flux(0, 0.8, 0.8);
   const fem::Mesh m = fem::mesh(0.8 * step, reach);  // the patch is smaller, too
-  const auto points = solved(m, fem::temperature(m, peclet, flux)).front();
+  const auto points = fem::surfaces(m, fem::temperature(m, peclet, flux)).front();
   const auto by_kernel = [&](double x) { return response::outward_slope(peclet, flux, x); };
   EXPECT_LT(mismatch(points, &fem::Surface::outward_slope, by_kernel).same_sign, tolerance);
 
-  const double found = contact([&](double x) { return interpolated(points, x); }).centroid;
+  const double found = contact([&](double x) {
+                         return fem::interpolated(points, &fem::Surface::outward_slope, x);
+                       }).centroid;
   const double corrected = contact(by_kernel).centroid;
   const double printed = contact([&](double x) { return -by_kernel(x); }).centroid;
   double largest = 0;
