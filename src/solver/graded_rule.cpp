@@ -46,7 +46,7 @@ std::vector<Kernels> at_distances(const ArrayXd& zeta) {
 
 void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
   const std::vector<Kernels> kernels = at_distances(graded.zeta);
-  weights.resize(graded.y.size(), 5);
+  weights.resize(graded.y.size(), node_weights);
   for (Index i = 0; i < graded.y.size(); ++i) {
     const Kernels& k = kernels[static_cast<std::size_t>(i)];
     weights.row(i) << k.n1 * graded.heat(i), k.n1 * graded.by_h(i), k.n1 * graded.by_dh(i),
@@ -60,19 +60,19 @@ THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& 
   Pack4 x, p, q, weight;
   for (Index l = 0; l < sums.cols(); ++l) {
     const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
-    Pack4 sum[5] = {};
+    Pack4 sum[node_weights] = {};
     for (Index k = 0; k < y.size(); k += 4) {
       load(&y[k], x);
       load(&now[k], p);
       load(&next[k], q);
-      for (Index w = 0; w < 5; ++w) {
+      for (Index w = 0; w < node_weights; ++w) {
         load(&weights(k, w), weight);
         sum[w] += weight * p;
       }
       store(q, &now[k]);
       store(up * x * q - down * p, &next[k]);
     }
-    for (Index w = 0; w < 5; ++w) sums(w, l) = sum_of(sum[w]);
+    for (Index w = 0; w < node_weights; ++w) sums(w, l) = sum_of(sum[w]);
   }
 }
 

@@ -14,8 +14,9 @@ namespace thermoroll {
 template <int columns>
 using GradedArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
 using GradedArray = GradedArrays<1>;
-using KernelWeights = GradedArrays<5>;
-using Sums = Eigen::Matrix<double, 5, Eigen::Dynamic>;
+inline constexpr int node_weights = 5;  // kernels times heat or its derivative, at each node
+using KernelWeights = GradedArrays<node_weights>;
+using Sums = Eigen::Matrix<double, node_weights, Eigen::Dynamic>;
 
 struct GradedRule {
   GradedArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights

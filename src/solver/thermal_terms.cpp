@@ -38,7 +38,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
   GradedRule graded;
   KernelWeights weights;
-  Sums sums(5, terms);
+  Sums sums(node_weights, terms);
   MatrixXd by_dh(n, terms);
   RowVectorXd mirror = RowVectorXd::Ones(terms);
   for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
