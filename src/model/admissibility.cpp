@@ -31,7 +31,9 @@ void add(std::vector<Violation>& found, const char* what, const ArrayXd& s,
 
 std::vector<Violation> violations(const Factors& at) {
   const ArrayXd stick = (at.border - at.s).max(0).sqrt();
-  const ArrayXd other_limit = 2 * at.friction * (1 - at.s).sqrt() * at.pressure - stick * at.slip;
+  ArrayXd limit = 2 * at.friction * (1 - at.s).sqrt() * at.pressure;
+  if (at.phi.size() > 0) limit *= at.phi;
+  const ArrayXd other_limit = limit - stick * at.slip;
   std::vector<Violation> found;
   add(found, "separation", at.s, at.pressure);
   add(found, "backward slip", at.s, (at.s > at.border).select(at.slip, 1));

@@ -1,4 +1,4 @@
-// Tangled from paper/12-coupled-problem.md; edit there.
+// Tangled from paper/12-coupled-problem.md, paper/21-hot-friction.md; edit there.
 #include "solver/contact_grid.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "solver/graded_rule.hpp"
+#include "solver/surface.hpp"
 
 namespace thermoroll {
 
@@ -16,11 +17,104 @@ using Eigen::Infinity;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// At the slip nodes: p-hat, phi and its derivative, v-hat, for a share of the heating.
+struct LawAtNodes {
+  ArrayXd pressure, phi, slope, slip;
+};
+
+LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
+  const TractionOperators& x = grid.tractions;
+  const ArrayXd temperature = share * (grid.hot->temperature * h).array();
+  LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}};
+  for (Index i = 0; i < temperature.size(); ++i) {
+    const RelativeFriction friction = grid.scene.law(temperature(i));
+    at.phi(i) = friction.value;
+    at.slope(i) = friction.slope;
+  }
+  const VectorXd lost = (1 - at.phi) * at.pressure;
+  at.slip = share * (x.v * h).array() + x.v0 + grid.scene.friction * (grid.hot->s * lost).array();
+  return at;
+}
+
+MatrixXd jacobian_with_law(const ContactGrid& grid, double share, const LawAtNodes& at) {
+  const TractionOperators& x = grid.tractions;
+  const ArrayXd& sigma = grid.nodes.sigma;
+  const MatrixXd dt = share * grid.hot->temperature;
+  MatrixXd dv = (1 - at.phi).matrix().asDiagonal() * (share * x.p);
+  dv -= (at.pressure * at.slope).matrix().asDiagonal() * dt;
+  dv = share * x.v + grid.scene.friction * grid.hot->s * dv;
+  MatrixXd jacobian = grid.rules.slip.p;
+  jacobian -= (sigma * at.slip * at.phi).matrix().asDiagonal() * (share * x.p);
+  jacobian -= (sigma * at.pressure * at.phi).matrix().asDiagonal() * dv;
+  jacobian -= (sigma * at.pressure * at.slip * at.slope).matrix().asDiagonal() * dt;
+  return jacobian;
+}
+
+/// As newton(), with steps that are halved until the residual falls.
+int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
+  const auto residual = [&](const VectorXd& x, const LawAtNodes& at) -> VectorXd {
+    return grid.rules.slip.p * x - (grid.nodes.sigma * at.pressure * at.slip * at.phi).matrix();
+  };
+  LawAtNodes at = law_at_nodes(grid, share, h);
+  VectorXd missing = residual(h, at);
+  for (int step = 1; step <= 40; ++step) {
+    const VectorXd change = jacobian_with_law(grid, share, at).partialPivLu().solve(missing);
+    const double moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
+    if (!std::isfinite(moved)) return 0;
+    const VectorXd before = h;
+    const double missed = missing.norm();
+    double part = 1;
+    do {
+      h = before - part * change;
+      at = law_at_nodes(grid, share, h);
+      missing = residual(h, at);
+      if (moved < 1e-8 || missing.norm() < (1 - 0.1 * part) * missed) break;
+      part /= 2;
+    } while (part > 1e-4);
+    if (!(part > 1e-4)) return 0;
+    if (moved < 1e-10) return step;
+  }
+  return 0;
+}
+
+ArrayXd slip_factor(const ContactGrid& grid, double share, const VectorXd& h) {
+  if (grid.hot) return law_at_nodes(grid, share, h).slip;
+  return share * (grid.tractions.v * h).array() + grid.tractions.v0;
+}
+
+struct Lost {
+  double constant, traction;
+};
+
+Lost lost_friction(const ContactGrid& grid, const VectorXd& h) {
+  const LawAtNodes at = law_at_nodes(grid, 1, h);
+  const ArrayXd lost = grid.scene.friction * (1 - at.phi) * at.pressure;
+  return {(grid.hot->weight * lost).sum() / pi, (grid.hot->moment * lost).sum()};
+}
+
+/// Add f S[B] to the brackets v of the stick zone, with p-hat there; phi at the stick nodes.
+ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const ArrayXd& p, ArrayXd& v) {
+  const Nodes& z = grid.nodes;
+  const double slip = z.zones.slip, share = heat_share(grid.scene);
+  const LawAtNodes at = law_at_nodes(grid, 1, h);
+  const ArrayXd lost = (1 - at.phi) * at.pressure;
+  ArrayXd phi(z.d.size());
+  for (Index i = 0; i < phi.size(); ++i) {
+    const double t = temperature_and_slope(slip, grid.scene.peclet, h, 0, 2, z.d(i) / slip,
+                                           grid.rules.fine).value;
+    phi(i) = grid.scene.law(share * t).value;
+    const double here = (1 - phi(i)) * p(i);
+    const ArrayXd quotient = (lost - here) / (slip * z.t + z.d(i));
+    v(i) += grid.scene.friction * ((grid.hot->weight * quotient).sum() / pi - here);
+  }
+  return phi;
+}
+
 TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal, double friction) {
   const Index n = z.y.size(), m = z.d.size();
   VectorXd position(n + m);
   position << z.s, z.r;
-  TractionOperators tractions{2 / pi, 2 * friction / pi, {}, {}, {}, {}};
+  TractionOperators tractions{2 / pi, ArrayXd::Constant(n, 2 * friction / pi), {}, {}, {}, {}};
   tractions.gamma0 = z.over_root.transpose() * thermal.f / pi;
   tractions.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
   MatrixXd in_p(n, n + m), in_v(n, m);
@@ -49,7 +143,10 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
                          const GridRules& rules, Index terms) {
   const Nodes nodes = place_nodes(zones, rules.slip, rules.stick);
   const ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, rules.graded);
-  return {scene, rules, nodes, thermal, traction_operators(nodes, thermal, scene.friction)};
+  ContactGrid grid{scene, rules, nodes, thermal,
+                   traction_operators(nodes, thermal, scene.friction)};
+  if (scene.law) grid.hot = hot_friction(scene, nodes, rules, terms);
+  return grid;
 }
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
@@ -61,13 +158,19 @@ Resultants resultants(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
   const double f = grid.scene.friction, a0 = z.zones.stick / 2;
   const double more = grid.tractions.kappa.dot(h), kappa = 1 + more;
+  const double gamma0 = grid.tractions.gamma0.dot(h);
+  const Lost lost_to_heat = grid.hot ? lost_friction(grid, h) : Lost{0, 0};
+  if (z.zones.stick == 0)  // full slip
+    return {kappa, gamma0, grid.creep + f * gamma0, f - lost_to_heat.traction};
   const double lost = (1 + a0) * z.zones.slip / 2 - more * a0 * a0;  // 1 - kappa a0^2
   const ArrayXd g = (grid.thermal.g.bottomRows(z.d.size()) * h).array() * z.over_w;
-  return {kappa, grid.tractions.gamma0.dot(h), g.sum() / pi + f * kappa / pi * z.zones.slip,
-          f * lost + ((a0 - z.d) * g).sum()};
+  return {kappa, gamma0,
+          g.sum() / pi + f * kappa / pi * z.zones.slip - lost_to_heat.constant,
+          f * lost + ((a0 - z.d) * g).sum() - lost_to_heat.traction};
 }
 
 int newton(const ContactGrid& grid, double share, VectorXd& h) {
+  if (grid.hot) return newton_with_law(grid, share, h);
   const TractionOperators& tractions = grid.tractions;
   const MatrixXd& legendre = grid.rules.slip.p;
   const ArrayXd& sigma = grid.nodes.sigma;
@@ -90,12 +193,14 @@ int newton(const ContactGrid& grid, double share, VectorXd& h) {
 
 VectorXd carter_h(const ContactGrid& grid) {
   const double f = grid.scene.friction;
-  return to_legendre(grid.rules.slip) * (4 * f / (pi * pi) * grid.nodes.sigma).matrix();
+  ArrayXd h = 4 * f / (pi * pi) * grid.nodes.sigma;
+  if (grid.nodes.zones.stick == 0) h = grid.tractions.p0 * grid.tractions.v0;  // full slip
+  return to_legendre(grid.rules.slip) * h.matrix();
 }
 
 int solve_flux(const ContactGrid& grid, VectorXd& h) {
   const auto slips = [&](double share, const VectorXd& at) {
-    return share * (grid.tractions.v * at).minCoeff() > -grid.tractions.v0;
+    return (slip_factor(grid, share, at) > 0).all();
   };
   const int direct = newton(grid, 1, h);
   if (direct > 0 && slips(1, h)) return direct;
@@ -141,11 +246,16 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   }
   p /= pi;
   v /= pi;
-  ArrayXd pressure(m + n), slip(m + n), s(m + n);
+  ArrayXd pressure(m + n), slip(m + n), s(m + n), phi;
+  if (grid.hot) {
+    phi.resize(m + n);
+    const ArrayXd on_stick = law_on_stick(grid, h, p, v);
+    phi << on_stick.reverse(), law_at_nodes(grid, 1, h).phi;
+  }
   pressure << p.reverse(), tractions.p0 + (tractions.p * h).array();
-  slip << v.reverse(), tractions.v0 + (tractions.v * h).array();
+  slip << v.reverse(), slip_factor(grid, 1, h);
   s << z.r.reverse(), z.s;
-  return {friction, z.zones.c0(), kappa, s, pressure, slip};
+  return {friction, z.zones.c0(), kappa, s, pressure, slip, phi};
 }
 
 }  // namespace thermoroll

@@ -1,8 +1,11 @@
 // Tangled from paper/12-coupled-problem.md; edit there.
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
+#include "solver/hot_friction.hpp"
 #include "solver/nodes.hpp"
 #include "solver/thermal_terms.hpp"
 #include "thermoroll/admissibility.hpp"
@@ -14,7 +17,8 @@ namespace thermoroll {
 /// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa = 1 + kappa h, gamma0 = gamma0
 /// h. The matrices have n rows and a column for each term of h.
 struct TractionOperators {
-  double p0, v0;  // Hertz's 2 / pi and Carter's 2 f / pi
+  double p0;          // Hertz's 2 / pi
+  Eigen::ArrayXd v0;  // Carter's 2 f / pi
   Eigen::MatrixXd p, v;
   Eigen::RowVectorXd kappa, gamma0;
 };
@@ -29,6 +33,8 @@ struct ContactGrid {
   Nodes nodes;
   ThermalTerms thermal;
   TractionOperators tractions;
+  double creep = 0;                  // given in full slip only
+  std::optional<HotFriction> hot{};  // where friction depends on temperature
 };
 
 /// By these rules, for an h of so many terms; or with n unknowns, and as many terms.

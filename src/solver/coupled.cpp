@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/contact_grid.hpp"
-#include "solver/surface.hpp"
+#include "solver/full_slip.hpp"
+#include "solver/grid_solution.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/carter.hpp"
 
@@ -34,7 +34,8 @@ double unresolved(double tail, int n, bool slow) {
 
 /// Strong heating, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
-  return scene.friction * heating_of_both(scene) > 1 || std::min(at.slip, at.stick) < 0.1;
+  const bool short_zone = at.stick > 0 && std::min(at.slip, at.stick) < 0.1;
+  return scene.friction * heating_of_both(scene) > 1 || short_zone;
 }
 
 /// How much of a change since the last grid is believed to be the error of this one of n unknowns.
@@ -60,106 +61,16 @@ double estimate(const Results& change, double now, double before, int n, bool sl
          4 * std::pow(24 + size, -6) + 1e-14 * size;
 }
 
-struct GridSolution {
-  ZoneLengths at;
-  Results value;
-  VectorXd h;                         // Legendre coefficients; none before the first grid
-  HottestPoint peak;                  // the hottest point
-  int newton_steps = 0;               // 0 where Newton failed
-  std::vector<Violation> violations;  // where it is no contact
-};
-
-Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
-  const ZoneLengths& at = found.at;
-  const Resultants sum = resultants(grid, found.h);
-  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y);
-  const double creep = sum.constant - grid.scene.friction * sum.gamma0;
-  const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
-  Results value;
-  value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
-      heat_share(grid.scene) * found.peak.value, at.c0() + at.slip * top.t(), 0;
-  return value;
-}
-
-GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
-                           const ZoneLengths& at, const GridSolution& from) {
-  const ContactGrid grid = contact_grid(scene, formulation, at, n);
-  GridSolution found;
-  found.at = at;
-  found.h = carter_h(grid);
-  if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
-  found.newton_steps = solve_flux(grid, found.h);
-  found.peak = find_hottest(at.slip, scene.peclet, found.h, from.peak, grid.rules.fine);
-  found.value = values_on_grid(grid, found);
-  found.violations = violations(factors(grid, found.h));
-  if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
-  return found;
-}
-
-/// What a solution misses of what is given; a border is measured from the nearer end.
-double residual(const GridSolution& x, const Prescribed& given) {
-  if (given.quantity != stick_slip_border) return given.value - x.value(given.quantity);
-  return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
-}
-
-/// The border moved towards s = 1; the shorter zone keeps its digits.
-ZoneLengths moved_by(const ZoneLengths& zones, double step) {
-  const double slip = zones.slip - step, stick = zones.stick + step;
-  return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
-}
-
-/// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
-/// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
-/// no solution is found.
-GridSolution find_border(const Scene& scene, Formulation formulation, int n,
-                         const Prescribed& given, GridSolution level, Results& slope) {
-  ZoneLengths at = level.at;
-  for (int k = 0, failed = 0; k < 30; ++k) {
-    const GridSolution last = level;
-    level = solve_on_grid(scene, formulation, n, at, last);
-    if (level.newton_steps == 0) {
-      if (k == 0 || ++failed == 8) break;
-      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2};
-      level = last;
-      continue;
-    }
-    const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
-    if (moved != 0) slope = (level.value - last.value) / moved;
-    const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
-    double step = slope(stick_slip_border) * residual(level, given);
-    if (k > 0 && std::abs(step) <= near) return level;
-    if (std::abs(step) < near) step = near;             // a second border, for the derivative
-    if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
-    at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
-  }
-  level.newton_steps = 0;
-  return level;
-}
-
-/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
-GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
-  const auto with = [&](double stick, const GridSolution& from) {
-    return solve_on_grid(scene, formulation, n, {2 - stick, stick}, from);
-  };
-  GridSolution level = with(1e-6, {});
-  if (level.newton_steps > 0) return level;
-  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
-    level = with(stick, level);
-  return level;
-}
-
-/// Refuse, by std::invalid_argument, a creep at which the whole contact slips.
-void check_slips_in_part(const Scene& scene, Formulation formulation, int n, double given) {
+bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
+  if (given.quantity != creep) return false;
   const GridSolution full = next_to_full_slip(scene, formulation, std::max(40, n));
-  const double most = full.value(creep);
-  if (full.newton_steps > 0)
-    require(given < most, "creep", given,
-            "below " + shortest(most) + ", where the whole contact slips");
+  return full.newton_steps > 0 && given.value >= full.value(creep);
 }
 
 /// The solution on the first grid that has a contact, or else on the finest that has a border; the
-/// derivative of all quantities with respect to what is prescribed goes to slope. Throws
-/// std::runtime_error where there is no border, and std::invalid_argument for too large a creep.
+/// derivative of all quantities with respect to what is prescribed goes to slope. No newton_steps
+/// where a creep is one at which the whole contact slips; throws std::runtime_error where there is
+/// no border.
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
@@ -176,8 +87,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
     if (tried.newton_steps > 0) {
       level = tried;
       slope = better;
-    } else if (given.quantity == creep) {
-      check_slips_in_part(scene, formulation, n, given.value);
+    } else if (level.newton_steps == 0 && slips_everywhere(scene, formulation, n, given)) {
+      return level;
     }
   }
   if (level.newton_steps == 0)
@@ -233,8 +144,10 @@ GridStep step_of(const GridSolution& level) {
   return step;
 }
 
-/// The grid of n unknowns at the border of a solution.
+/// The grid of n unknowns at the border of a solution, or in full slip.
 ContactGrid grid_of(const CoupledSolution& x, int n) {
+  if (x.value(Quantity::stick_slip_border) == -1)
+    return full_slip_grid(x.scene, x.formulation, n, x.value(Quantity::creep));
   return contact_grid(x.scene, x.formulation,
                       {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border)},
                       n);
@@ -284,20 +197,17 @@ Results carter_slope(const Carter& c, Quantity by) {
   return change / change(by);
 }
 
-CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
-                              const Prescribed& given) {
-  check(scene, given);
-  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
+                       const Prescribed& given, GridSolution level, Results& slope,
+                       const NextGrid& next) {
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
-  Results slope;
-  GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
   for (int stalled = 0;; n = std::min(2 * n, most_unknowns)) {
     const GridSolution last = level;
-    const double best = found.error, step = slope(stick_slip_border) * residual(last, given);
-    level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
+    const double best = found.error;
+    level = next(n, last);
     trace.push_back(step_of(level));
     if (level.newton_steps > 0) {
       found = refined(scene, found, level, last, given, slope);
@@ -315,6 +225,20 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
   throw NotResolved("coupled: not resolved to " + shortest(tolerance) + " with " +
                         std::to_string(n) + " unknowns",
                     trace);
+}
+
+CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+                              const Prescribed& given) {
+  check(scene, given);
+  require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+  const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
+  Results slope;
+  const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
+  if (level.newton_steps == 0) return solve_full_slip(scene, formulation, tolerance, given.value);
+  return refine(scene, formulation, tolerance, given, level, slope, [&](int n, const auto& last) {
+    const double step = slope(stick_slip_border) * residual(last, given);
+    return solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
+  });
 }
 
 void add_eccentricity(Results& value, Results& error) {
@@ -360,11 +284,13 @@ Profile profile(const CoupledSolution& x) {
   right << z.zones.slip + z.d.reverse(), z.zones.slip * (1 - z.t);
   Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, {}};
   profile.traction = x.scene.friction * profile.pressure;
+  if (at.phi.size() > 0) profile.traction *= at.phi;
   profile.traction.head(m) -= ((2 - right.head(m)) * z.d.reverse()).sqrt() * at.slip.head(m);
   const double slip = z.zones.slip;
   profile.temperature = profile.heat_flux = profile.slip = ArrayXd::Zero(m + n);
   profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.rules.slip.p * x.h).array();
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
+  if (at.phi.size() > 0) profile.slip.tail(n) /= at.phi.tail(n);
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;

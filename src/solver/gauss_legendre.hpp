@@ -15,7 +15,7 @@ struct GaussLegendre {
   Eigen::MatrixXd p;
 };
 
-/// The rule of n >= 1 nodes; made once per thread.
+/// The rule of n >= 0 nodes; made once per thread.
 const GaussLegendre& gauss_legendre(int n);
 
 /// P_0 ... P_{n-1} at x, a column each.

@@ -41,6 +41,7 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
   z.sigma = zones.stick + zones.slip * z.t;
   z.over_root.head(n).array() *= (zones.slip / z.sigma).sqrt();
   z.over_root.tail(m).array() *= (zones.stick / (zones.slip + z.d)).sqrt();
+  if (zones.stick == 0) z.sigma.setOnes();
   return z;
 }
 

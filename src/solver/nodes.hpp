@@ -31,8 +31,9 @@ inline double decades_shorter(const ZoneLengths& at) {
 }
 
 /// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids
-/// are those of strong heating, which needs G as fine as h.
+/// are those of strong heating, which needs G as fine as h. Full slip has no stick zone.
 inline int stick_nodes(int n, const ZoneLengths& at) {
+  if (at.stick == 0) return 0;
   return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades_shorter(at));
 }
 
@@ -84,7 +85,7 @@ double distance_of_share(double t);
 /// The nodes of both zones, n on the slip zone and m on the stick zone.
 struct Nodes {
   ZoneLengths zones;
-  Eigen::ArrayXd y, t, s, sigma;  // slip zone (n); sigma = 1 + s
+  Eigen::ArrayXd y, t, s, sigma;  // slip zone (n); sigma = 1 + s, or 1 in full slip
   Eigen::ArrayXd d, r;            // stick zone (m): distances from the border and positions
   Eigen::ArrayXd over_w;          // weights of dr / w at the stick nodes
   Eigen::VectorXd over_root;  // weights of dt / sqrt(1 - t^2) at all n + m, the slip nodes first

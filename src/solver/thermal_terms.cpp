@@ -53,13 +53,15 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     thermal.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
   }
   thermal.df += by_derivatives(by_dh);
-  const ArrayXd gap = z.d / slip;
-  grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
-  MatrixXd n1, n2;
-  kernels_further(graded.zeta, peclet * (gap - gap.minCoeff()), n1, n2);
-  const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
-  thermal.f.bottomRows(m).noalias() = n1 * heat;
-  thermal.g.bottomRows(m).noalias() = n2 * heat;
+  if (m > 0) {
+    const ArrayXd gap = z.d / slip;
+    grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
+    MatrixXd n1, n2;
+    kernels_further(graded.zeta, peclet * (gap - gap.minCoeff()), n1, n2);
+    const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
+    thermal.f.bottomRows(m).noalias() = n1 * heat;
+    thermal.g.bottomRows(m).noalias() = n2 * heat;
+  }
   const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
   thermal.g = strength * slip * (strain_share(scene) * thermal.g / pi + in_n * thermal.f);
   thermal.f *= -sign * strength * slip;

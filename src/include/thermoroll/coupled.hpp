@@ -122,10 +122,10 @@ Carter carter_given(double friction, const Prescribed& given);
 
 /// Solve the coupled problem for what is given until the estimated error of every quantity is below
 /// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0, relative for
-/// creep_constant, creep, heat and hottest; that of hottest_at is the length of the slip zone times
-/// the root of it. Throws std::invalid_argument for data out of range or a creep at which the whole
-/// contact slips, std::runtime_error where no solution is found, NotResolved where the tolerance is
-/// not met.
+/// creep_constant, creep, heat_integral and max_temperature; that of max_temperature_at is the
+/// length of the slip zone times the root of it. A creep at which the whole contact slips has the
+/// border -1. Throws std::invalid_argument for data out of range, std::runtime_error where no
+/// solution is found, NotResolved where the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Prescribed& given);
 

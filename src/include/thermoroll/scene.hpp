@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "thermoroll/friction_law.hpp"
+
 namespace thermoroll {
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -24,6 +26,7 @@ struct Scene {
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
   Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct
   Direction direction = Direction::driving;
+  FrictionLaw law{};  ///< of friction by temperature (@sec:hot-friction); constant if empty
 };
 
 /// The share of the heat that flows into the half-space, K1 / (K1 + K2), @eq:heat-share.

@@ -1,0 +1,21 @@
+// Tangled from paper/20-full-slip.md; edit there.
+#pragma once
+
+#include "solver/contact_grid.hpp"
+#include "thermoroll/coupled.hpp"
+
+namespace thermoroll {
+
+/// The grid of n unknowns in full slip at a creep xi*, @eq:full-slip.
+ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, double creep);
+
+/// Solve in full slip for a creep; arguments and errors as for solve_coupled. Refuses a creep at
+/// which there is no contact by std::invalid_argument.
+CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, double tolerance,
+                                double creep);
+
+/// Refuse, by std::invalid_argument, the traction f of constant friction, which was asked for.
+[[noreturn]] void refuse_undetermined_creep(const Scene& scene, Formulation formulation,
+                                            double asked);
+
+}  // namespace thermoroll

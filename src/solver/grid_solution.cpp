@@ -1,0 +1,103 @@
+// Tangled from paper/13-border-and-error.md, paper/20-full-slip.md; edit there.
+#include "solver/grid_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/full_slip.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+using enum Quantity;
+
+namespace {
+
+Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
+  const ZoneLengths& at = found.at;
+  const Resultants sum = resultants(grid, found.h);
+  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y);
+  const double creep = sum.constant - grid.scene.friction * sum.gamma0;
+  const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
+  Results value = Results::Zero();
+  value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
+      heat_share(grid.scene) * found.peak.value, at.c0() + at.slip * top.t(), 0;
+  return value;
+}
+
+GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
+  const ZoneLengths& at = grid.nodes.zones;
+  const Index n = grid.nodes.y.size();
+  GridSolution found;
+  found.at = at;
+  found.h = carter_h(grid);
+  if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
+  found.newton_steps = solve_flux(grid, found.h);
+  found.peak = find_hottest(at.slip, grid.scene.peclet, found.h, from.peak, grid.rules.fine);
+  found.value = values_on_grid(grid, found);
+  found.violations = violations(factors(grid, found.h));
+  if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
+  return found;
+}
+
+}  // namespace
+
+GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
+                           const ZoneLengths& at, const GridSolution& from) {
+  return solve_on(contact_grid(scene, formulation, at, n), from);
+}
+
+double residual(const GridSolution& x, const Prescribed& given) {
+  if (given.quantity != stick_slip_border) return given.value - x.value(given.quantity);
+  return x.at.slip < x.at.stick ? x.at.slip - (1 - given.value) : 1 + given.value - x.at.stick;
+}
+
+ZoneLengths moved_by(const ZoneLengths& zones, double step) {
+  const double slip = zones.slip - step, stick = zones.stick + step;
+  return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
+}
+
+GridSolution find_border(const Scene& scene, Formulation formulation, int n,
+                         const Prescribed& given, GridSolution level, Results& slope) {
+  ZoneLengths at = level.at;
+  for (int k = 0, failed = 0; k < 30; ++k) {
+    const GridSolution last = level;
+    level = solve_on_grid(scene, formulation, n, at, last);
+    if (level.newton_steps == 0) {
+      if (k == 0 || ++failed == 8) break;
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2};
+      level = last;
+      continue;
+    }
+    const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
+    if (moved != 0) slope = (level.value - last.value) / moved;
+    const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
+    double step = slope(stick_slip_border) * residual(level, given);
+    if (k > 0 && std::abs(step) <= near) return level;
+    if (std::abs(step) < near) step = near;             // a second border, for the derivative
+    if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
+    at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
+  }
+  level.newton_steps = 0;
+  return level;
+}
+
+GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
+  const auto with = [&](double stick, const GridSolution& from) {
+    return solve_on_grid(scene, formulation, n, {2 - stick, stick}, from);
+  };
+  GridSolution level = with(1e-6, {});
+  if (level.newton_steps > 0) return level;
+  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+    level = with(stick, level);
+  return level;
+}
+
+GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, int n, double creep,
+                                 const GridSolution& from) {
+  return solve_on(full_slip_grid(scene, formulation, n, creep), from);
+}
+
+}  // namespace thermoroll

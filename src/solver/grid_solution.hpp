@@ -1,0 +1,55 @@
+// Tangled from paper/13-border-and-error.md; edit there.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "solver/surface.hpp"
+#include "thermoroll/coupled.hpp"
+
+namespace thermoroll {
+
+struct GridSolution {
+  ZoneLengths at{};                     // without a stick zone in full slip
+  Results value = Results::Zero();
+  Eigen::VectorXd h{};                  // Legendre coefficients; none before the first grid
+  HottestPoint peak{};                  // the hottest point
+  int newton_steps = 0;                 // 0 where Newton failed
+  std::vector<Violation> violations{};  // where it is no contact
+};
+
+/// Solve with n unknowns at a border, starting from a coarser grid's solution, or Carter's.
+GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
+                           const ZoneLengths& at, const GridSolution& from);
+
+/// Solve in full slip for a creep, starting from a coarser grid's solution in full slip.
+GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, int n, double creep,
+                                 const GridSolution& from);
+
+/// What a solution misses of what is given; a border is measured from the nearer end.
+double residual(const GridSolution& x, const Prescribed& given);
+
+/// The border moved towards s = 1; the shorter zone keeps its digits.
+ZoneLengths moved_by(const ZoneLengths& x, double step);
+
+/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
+GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n);
+
+/// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
+/// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
+/// no solution is found.
+GridSolution find_border(const Scene& scene, Formulation formulation, int n,
+                         const Prescribed& given, GridSolution level, Results& slope);
+
+/// The solution on a grid of n unknowns, from that of a coarser one.
+using NextGrid = std::function<GridSolution(int n, const GridSolution& last)>;
+
+/// Refine a coarse solution, grid by grid, until the estimated error is below the tolerance; slope
+/// is the derivative of all quantities with respect to what is given. Throws NotResolved.
+CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
+                       const Prescribed& given, GridSolution level, Results& slope,
+                       const NextGrid& next);
+
+}  // namespace thermoroll

@@ -1,0 +1,23 @@
+// Tangled from paper/21-hot-friction.md; edit there.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solver/nodes.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// Matrices for a law of friction on the n slip nodes.
+struct HotFriction {
+  Eigen::MatrixXd temperature;  // T* of h, a column for each term of it
+  Eigen::MatrixXd s;            // S of @eq:lost-friction on the values of B, n x n
+  Eigen::ArrayXd weight;        // of the integral in S
+  Eigen::ArrayXd moment;        // of that for the traction, @eq:lost-sums
+};
+
+/// These matrices on the nodes of a grid, for an h of so many terms.
+HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& rules,
+                         Eigen::Index terms);
+
+}  // namespace thermoroll
