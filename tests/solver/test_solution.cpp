@@ -475,9 +475,9 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
 }
 
 // The scene of a radius, solved loosely, is the scene of the half-width from which that radius
-// came: all that is reported of the latter, tightly, lies within the errors of the former. All of it goes
-// with a power of the half-width of one at least, and so has its relative error on top, but for
-// rounding in the difference of two errors.
+// came: all that is reported of the latter, tightly, lies within the errors of the former. All of
+// it goes with a power of the half-width of one at least, and so has its relative error on top, but
+// for rounding in the difference of two errors.
 TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
   for (const double load : {1.2e7, 1e8})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {

@@ -28,20 +28,30 @@ TEST(Materials, HeatingIsTheSizeOfTheContact) {
     return low * std::exp(uniform(0, std::log(high / low)));
   };
   for (int i = 0; i < 1000; ++i) {
-    const Material m{"", log_uniform(1e8, 1e12), uniform(0, 0.48), log_uniform(1e-7, 1e-3),
-                     log_uniform(100, 2e4), log_uniform(100, 2000)};
+    const Material m{"",
+                     log_uniform(1e8, 1e12),
+                     uniform(0, 0.48),
+                     log_uniform(1e-7, 1e-3),
+                     log_uniform(100, 2e4),
+                     log_uniform(100, 2000)};
     const double conductivity = log_uniform(0.1, 1000), half_width = log_uniform(1e-6, 1);
     const double mu = thermoroll::shear_modulus(m), load = log_uniform(1, 1e8);
-    const PhysicalCase c{load, 1, half_width, mu, m.poisson, m.expansion,
-                         conductivity / (m.density * m.heat_capacity), conductivity};
+    const PhysicalCase c{load,
+                         1,
+                         half_width,
+                         mu,
+                         m.poisson,
+                         m.expansion,
+                         conductivity / (m.density * m.heat_capacity),
+                         conductivity};
     const double hertz = thermoroll::hertz_half_width(load, 1, mu, m.poisson);
     const double from_size = thermoroll::heating_of_size(m, hertz * hertz / half_width);
     EXPECT_NEAR(from_size / thermoroll::scene_of(c, 0.6).heating, 1, 20 * epsilon);
   }
 }
 
-// Grüneisen's number lies between a half and 2.2 for every solid of the table, to its two digits, and
-// no heating is above the size of its contact.
+// Grüneisen's number lies between a half and 2.2 for every solid of the table, to its two digits,
+// and no heating is above the size of its contact.
 TEST(Materials, EverySolidHeatsLessThanItsSize) {
   EXPECT_EQ(thermoroll::materials().size(), 10U);
   for (const Material& m : thermoroll::materials()) {
