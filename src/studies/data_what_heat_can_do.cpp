@@ -116,7 +116,7 @@ Ends ends_of_random_starts() {
 }  // namespace
 
 void values_on_what_heat_can_do(nlohmann::ordered_json& v) {
-  const PhysicalCase steel = wheel_on_rail();
+  const PhysicalScene steel = wheel_on_rail();
   const double nu = steel.poisson, heating = scene_of(steel, paper::friction).heating;
   const double hertz = hertz_half_width(steel.load, 1, steel.shear_modulus, nu);
   const double size = hertz * hertz / steel.half_width;

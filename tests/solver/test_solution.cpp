@@ -507,10 +507,10 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
 
 // Without heat, f times the integral of v p is xi Q: the work of the creep against the force is all
 // that friction takes. Both sides have their stated errors and some ten roundings. With heat on one
-// body it is not so, and the heat of this case is felt.
+// body it is not so, and the heat of this scene is felt.
 TEST(Solution, DissipationIsTheWorkOfTheCreepWithoutHeat) {
   for (const Driven& drawn : random_scenes(100)) {
-    PhysicalCase c = case_of(drawn);
+    PhysicalScene c = case_of(drawn);
     const auto off = [&](Method method) {
       const Prescribed given{traction, drawn.traction};
       const Solution x = solve(scene_of(c, drawn.friction), given, {method});
@@ -524,7 +524,7 @@ TEST(Solution, DissipationIsTheWorkOfTheCreepWithoutHeat) {
     c.expansion = 0;
     EXPECT_LE(off(Method::coupled), 1);
   }
-  const PhysicalCase c = wheel_on_rail();
+  const PhysicalScene c = wheel_on_rail();
   const FoundInSi hot = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}), c);
   EXPECT_GT(std::abs(hot.value.dissipation / (hot.value.creep_ratio * 22.2 * 0.5 * 1.2e7) - 1),
             1e-5);
@@ -539,8 +539,10 @@ TEST(Solution, NotesBeginAtTheLimits) {
   };
   std::map<std::string, int> noted;
   for (int i = 0; i < 400; ++i) {
-    PhysicalCase c = wheel_on_rail();
-    c.half_width *= log_uniform(0.05, 1), c.poisson = 0.4, c.speed *= log_uniform(0.01, 1);
+    PhysicalScene c = wheel_on_rail();
+    c.poisson = 0.4;
+    c.half_width *= log_uniform(0.05, 1);
+    c.speed *= log_uniform(0.01, 1);
     const FoundInSi y = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, closed_form), c);
     const std::pair<const char*, bool> beyond[] = {
         {"half_width_over_radius", y.value.half_width_over_radius > 0.1},
@@ -553,7 +555,8 @@ TEST(Solution, NotesBeginAtTheLimits) {
         return note.rfind(start, 0) == 0 && note.find(" is above ") != std::string::npos;
       };
       EXPECT_EQ(std::count_if(y.notes.begin(), y.notes.end(), tells), is_beyond ? 1 : 0) << name;
-      count += is_beyond, noted[name] += is_beyond;
+      count += is_beyond;
+      noted[name] += is_beyond;
     }
     EXPECT_EQ(y.notes.size(), count);
   }

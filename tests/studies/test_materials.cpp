@@ -12,7 +12,7 @@ namespace {
 
 using reference::epsilon;
 using thermoroll::Material;
-using thermoroll::PhysicalCase;
+using thermoroll::PhysicalScene;
 
 }  // namespace
 
@@ -36,14 +36,14 @@ TEST(Materials, HeatingIsTheSizeOfTheContact) {
                      log_uniform(100, 2000)};
     const double conductivity = log_uniform(0.1, 1000), half_width = log_uniform(1e-6, 1);
     const double mu = thermoroll::shear_modulus(m), load = log_uniform(1, 1e8);
-    const PhysicalCase c{load,
-                         1,
-                         half_width,
-                         mu,
-                         m.poisson,
-                         m.expansion,
-                         conductivity / (m.density * m.heat_capacity),
-                         conductivity};
+    const PhysicalScene c{load,
+                          1,
+                          half_width,
+                          mu,
+                          m.poisson,
+                          m.expansion,
+                          conductivity / (m.density * m.heat_capacity),
+                          conductivity};
     const double hertz = thermoroll::hertz_half_width(load, 1, mu, m.poisson);
     const double from_size = thermoroll::heating_of_size(m, hertz * hertz / half_width);
     EXPECT_NEAR(from_size / thermoroll::scene_of(c, 0.6).heating, 1, 20 * epsilon);
