@@ -457,8 +457,8 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
     const Formulation sign = i % 4 < 2 ? Formulation::printed : Formulation::corrected;
     const Driven drawn{friction, share * friction, log_uniform(0.1, 1e4), log_uniform(1e-6, 2)};
     const PhysicalScene c = physical_scene(drawn);
-    const auto [f, peclet, heating] = scene_of(c, friction);
-    const Driven scene{f, share * friction, peclet, heating};
+    const Scene groups = scene_of(c, friction);
+    const Driven scene{friction, share * friction, groups.peclet, groups.heating};
     const FoundInSi x = in_si_units(solve(scene, {Method::automatic, sign, 200, tolerance}), c);
     const FoundInSi fine = in_si_units(solve(scene, {Method::coupled, sign, 200, 1e-9}), c);
     for (const auto field : all_in_si) {
@@ -510,7 +510,7 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
 // body it is not so, and the heat of this scene is felt.
 TEST(Solution, DissipationIsTheWorkOfTheCreepWithoutHeat) {
   for (const Driven& drawn : random_scenes(100)) {
-    PhysicalScene c = case_of(drawn);
+    PhysicalScene c = physical_scene(drawn);
     const auto off = [&](Method method) {
       const Prescribed given{traction, drawn.traction};
       const Solution x = solve(scene_of(c, drawn.friction), given, {method});
