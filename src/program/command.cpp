@@ -114,8 +114,11 @@ void say_what_is_unused(const CaseOptions& o) {
                  scheme ? "--tolerance" : "--nodes", o.method.c_str());
 }
 
-void conclude(const Solution& x, const CaseOptions& o) {
+void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const CaseOptions& o) {
   require_contact(x);
+  if (physical)
+    for (const std::string& note : physical->notes)
+      std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
   say_what_is_unused(o);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
@@ -167,14 +170,14 @@ void run_solve(const Options& o) {
   if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
   deliver(answers);
   if (o.trace) print_trace(x.trace);
-  conclude(x, o.of_case);
+  conclude(x, physical, o.of_case);
 }
 
 void run_temperature(const Options& o) {
   const std::vector<double> at = read_points(o.at);
   const auto [x, units, physical] = solve_case(read_case(o.of_case));
   deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
-  conclude(x, o.of_case);
+  conclude(x, physical, o.of_case);
 }
 
 void run_figure_data(const Options& o) {

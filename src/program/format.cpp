@@ -33,7 +33,9 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"max_traction", "max q", "Pa", &PhysicalResults::max_traction},
     {"max_heat_flux", "max phi", "W/m^2", &PhysicalResults::max_heat_flux},
     {"max_temperature_celsius", "Tmax", "degree C above ambient",
-     &PhysicalResults::max_temperature_celsius}};
+     &PhysicalResults::max_temperature_celsius},
+    {"half_width_over_radius", "a/R", "", &PhysicalResults::half_width_over_radius},
+    {"dissipation", "", "W/m", &PhysicalResults::dissipation}};
 
 template <class T, std::size_t n>
 json object(const Row<T> (&rows)[n], const T& values) {
@@ -76,6 +78,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
     o["physical"] = object(physical_rows, physical->value);
     o["physical"]["error_estimate"] =
         physical->error ? object(physical_rows, *physical->error) : json();
+    o["notes"] = physical->notes;
   }
   return o;
 }
@@ -112,10 +115,13 @@ std::string csv_cell(const json& value) {
   if (value.is_null()) return "";
   if (value.is_array()) {
     std::string list;
-    for (const json& x : value)
-      list += (list.empty() ? "" : "; ") + x["what"].get<std::string>() + ' ' +
-              digits(x["from"], 6) + ".." + digits(x["to"], 6);
-    return list;
+    for (const json& x : value) {
+      if (!list.empty()) list += "; ";
+      list += x.is_string() ? x.get<std::string>()
+                            : x["what"].get<std::string>() + ' ' + digits(x["from"], 6) + ".." +
+                                  digits(x["to"], 6);
+    }
+    return quoted(list);
   }
   return value.is_string() ? quoted(value) : value.dump();
 }

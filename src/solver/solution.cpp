@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <new>
 
@@ -238,14 +239,39 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
 }
 
 /// Results and peaks, or their errors, in SI units; without the sizes and Hertz's pressure.
-PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit, double speed) {
+PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit,
+                          const PhysicalScene& si) {
   PhysicalResults y{};
-  y.creep_ratio = x(creep) * unit.slip / speed;
+  y.creep_ratio = x(creep) * unit.slip / si.speed;
   y.max_pressure = peak.pressure * unit.traction;
   y.max_traction = peak.traction * unit.traction;
   y.max_heat_flux = peak.heat_flux * unit.heat_flux;
   y.max_temperature_celsius = x(max_temperature) * unit.temperature;
+  y.dissipation = x(heat_integral) * unit.heat_flux * si.half_width;
   return y;
+}
+
+std::vector<std::string> beyond_the_model(const PhysicalResults& x, double shear_modulus) {
+  struct Limit {
+    const char* name;
+    double value, most;
+    const char* meaning;
+  };
+  const Limit limits[] = {
+      {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there"},
+      {"creep_ratio", std::abs(x.creep_ratio), 0.1, "strains are not small there"},
+      {"hertz_pressure", x.hertz_pressure, shear_modulus / 10, "a tenth of the shear modulus"},
+      {"max_temperature_celsius", x.max_temperature_celsius, 1500, "steel melts there"}};
+  std::vector<std::string> notes;
+  for (const auto& [name, value, most, meaning] : limits) {
+    if (!(value > most)) continue;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%s = %.3g is above %.4g (%s): are all data in SI units and none in GPa or mm?",
+                  name, value, most, meaning);
+    notes.emplace_back(text);
+  }
+  return notes;
 }
 
 }  // namespace
@@ -311,21 +337,25 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   const FoundPeaks peak = peaks(x);
   const double hertz =
       hertz_half_width(x.value(load_ratio) * si.load, 1, si.shear_modulus, si.poisson);
-  FoundInSi y{converted(x.value, peak.value, unit, si.speed), std::nullopt};
+  FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   y.value.half_width = si.half_width;
   y.value.radius = si.half_width * si.half_width / (hertz * hertz);
   y.value.hertz_pressure = 2 / pi * unit.traction;
+  y.value.half_width_over_radius = hertz * hertz / si.half_width;
+  y.notes = beyond_the_model(y.value, si.shear_modulus);
   if (!x.error) return y;
-  y.error = converted(*x.error, *peak.error, unit, si.speed);
+  y.error = converted(*x.error, *peak.error, unit, si);
   PhysicalResults& error = *y.error;
   const double of_kappa = (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
   const double of_size = from_radius ? 5e-10 + of_kappa : 0;
   error.half_width = of_size * y.value.half_width;
   error.radius = (of_kappa + 2 * of_size) * y.value.radius;
+  error.half_width_over_radius = (of_kappa + of_size) * y.value.half_width_over_radius;
   for (const auto field :
        {&PhysicalResults::creep_ratio, &PhysicalResults::hertz_pressure,
         &PhysicalResults::max_pressure, &PhysicalResults::max_traction,
-        &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius})
+        &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius,
+        &PhysicalResults::dissipation})
     error.*field += 2 * of_size * std::abs(y.value.*field);
   return y;
 }

@@ -160,6 +160,7 @@ friction,traction,load,speed,shear-modulus,poisson,expansion,diffusivity,conduct
 0.6,0.5,,,,,,,,,,4360,closed-form
 0.6,0.5,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,,,,
 0.6,0.5,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,,-1,,
+0.6,0.5,1.2e7,22.2,81,0.3,1.1e-5,1.4e-5,50,5.5e-3,,,
 END
   sweeps 4
   local base=(--friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3
@@ -174,6 +175,8 @@ END
   [ "$(cell physical.half_width 3)" = "" ] && [ "$(error_of 3)" = "0 " ] || fail "$(cat results.csv)"
   [ "$(error_of 4)" = "2 data in SI units need either --half-width or --radius" ] || fail "$(error_of 4)"
   [ "$(error_of 5)" = "2 radius = -1 is not allowed: it must be positive" ] || fail "$(error_of 5)"
+  [ "$(cell notes 1)" = "" ] && [ "$(error_of 6)" = "0 " ] || fail "$(cat results.csv)"
+  [[ "$(cell notes 6)" == "half_width_over_radius = "*"; creep_ratio = "* ]] || fail "$(cell notes 6)"
 }
 
 # What a spreadsheet may do to a table makes no difference, nor does a missing end of the last line.

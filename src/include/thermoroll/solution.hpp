@@ -81,12 +81,16 @@ struct PhysicalResults {
   double max_traction;             ///< of q, Pa
   double max_heat_flux;            ///< of phi, W/m^2
   double max_temperature_celsius;  ///< largest temperature rise, degree C
+  double half_width_over_radius;   ///< a / R
+  double dissipation;              ///< power lost to friction per unit length, W/m
 };
 
-/// Them and their estimated absolute errors in the same units, which the scheme does not have.
+/// Them and their estimated absolute errors in the same units, which the scheme does not have; and
+/// a sentence for each limit of the model that they exceed, as in @eq:limits.
 struct FoundInSi {
   PhysicalResults value;
   std::optional<PhysicalResults> error;
+  std::vector<std::string> notes{};
 };
 
 /// Results and peaks of a scene in SI units; x solves scene_of(si, ...).

@@ -1,0 +1,62 @@
+// Solids: the heating of a contact is its size.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "reference.hpp"
+#include "studies/materials.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace {
+
+using reference::epsilon;
+using thermoroll::Material;
+using thermoroll::PhysicalScene;
+
+}  // namespace
+
+// H from the data of a scene, and from Grüneisen's number and a/R, with the radius that Hertz's
+// formula has for that load. Both together are some forty operations, each with half an epsilon;
+// 1 - 2 nu is one of them, as twice nu has no rounding.
+TEST(Materials, HeatingIsTheSizeOfTheContact) {
+  std::mt19937 generator(18);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(generator);
+  };
+  const auto log_uniform = [&](double low, double high) {
+    return low * std::exp(uniform(0, std::log(high / low)));
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const Material m{"",
+                     log_uniform(1e8, 1e12),
+                     uniform(0, 0.48),
+                     log_uniform(1e-7, 1e-3),
+                     log_uniform(100, 2e4),
+                     log_uniform(100, 2000)};
+    const double conductivity = log_uniform(0.1, 1000), half_width = log_uniform(1e-6, 1);
+    const double mu = thermoroll::shear_modulus(m), load = log_uniform(1, 1e8);
+    const PhysicalScene c{load,
+                          1,
+                          half_width,
+                          mu,
+                          m.poisson,
+                          m.expansion,
+                          conductivity / (m.density * m.heat_capacity),
+                          conductivity};
+    const double hertz = thermoroll::hertz_half_width(load, 1, mu, m.poisson);
+    const double from_size = thermoroll::heating_of_size(m, hertz * hertz / half_width);
+    EXPECT_NEAR(from_size / thermoroll::scene_of(c, 0.6).heating, 1, 20 * epsilon);
+  }
+}
+
+// Grüneisen's number lies between a half and 2.2 for every solid of the table, to its two digits,
+// and no heating is above the size of its contact.
+TEST(Materials, EverySolidHeatsLessThanItsSize) {
+  EXPECT_EQ(thermoroll::materials().size(), 10U);
+  for (const Material& m : thermoroll::materials()) {
+    EXPECT_GT(thermoroll::grueneisen(m), 0.485) << m.name;
+    EXPECT_LT(thermoroll::grueneisen(m), 2.205) << m.name;
+    EXPECT_LT(thermoroll::heating_of_size(m, 1), 1) << m.name;
+  }
+}
