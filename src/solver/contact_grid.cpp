@@ -100,8 +100,9 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const ArrayXd& 
   const ArrayXd lost = (1 - at.phi) * at.pressure;
   ArrayXd phi(z.d.size());
   for (Index i = 0; i < phi.size(); ++i) {
-    const double t = temperature_and_slope(slip, grid.scene.peclet, h, 0, 2, z.d(i) / slip,
-                                           grid.rules.fine).value;
+    const double t =
+        temperature_and_slope(slip, grid.scene.peclet, h, 0, 2, z.d(i) / slip, grid.rules.fine)
+            .value;
     phi(i) = grid.scene.law(share * t).value;
     const double here = (1 - phi(i)) * p(i);
     const ArrayXd quotient = (lost - here) / (slip * z.t + z.d(i));
@@ -164,8 +165,7 @@ Resultants resultants(const ContactGrid& grid, const VectorXd& h) {
     return {kappa, gamma0, grid.creep + f * gamma0, f - lost_to_heat.traction};
   const double lost = (1 + a0) * z.zones.slip / 2 - more * a0 * a0;  // 1 - kappa a0^2
   const ArrayXd g = (grid.thermal.g.bottomRows(z.d.size()) * h).array() * z.over_w;
-  return {kappa, gamma0,
-          g.sum() / pi + f * kappa / pi * z.zones.slip - lost_to_heat.constant,
+  return {kappa, gamma0, g.sum() / pi + f * kappa / pi * z.zones.slip - lost_to_heat.constant,
           f * lost + ((a0 - z.d) * g).sum() - lost_to_heat.traction};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/branch.hpp"
 #include "solver/full_slip.hpp"
 #include "solver/grid_solution.hpp"
 #include "support/number_text.hpp"
@@ -170,7 +171,9 @@ void check(double friction, const Prescribed& given) {
 
 void check(const Scene& scene, const Prescribed& given) {
   check(scene);
-  check(scene.friction, given);
+  const bool any = scene.law && given.quantity == traction;  // friction may rise
+  if (any) require(given.value > 0, "traction", given.value, "positive");
+  if (!any) check(scene.friction, given);
 }
 
 Carter carter_given(double friction, const Prescribed& given) {
@@ -231,6 +234,8 @@ CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, doubl
                               const Prescribed& given) {
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+  if (scene.law && given.quantity == traction)
+    return solve_on_branch(scene, formulation, tolerance, given.value, given.branch);
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Results slope;
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);

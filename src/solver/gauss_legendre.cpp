@@ -44,8 +44,7 @@ static GaussLegendre make_rule(int n) {
 const GaussLegendre& gauss_legendre(int n) {
   thread_local std::map<int, GaussLegendre> known;
   auto found = known.find(n);
-  if (found == known.end())
-    found = known.emplace(n, n == 0 ? GaussLegendre{} : make_rule(n)).first;
+  if (found == known.end()) found = known.emplace(n, n == 0 ? GaussLegendre{} : make_rule(n)).first;
   return found->second;
 }
 

@@ -12,7 +12,7 @@
 namespace thermoroll {
 
 struct GridSolution {
-  ZoneLengths at{};                     // without a stick zone in full slip
+  ZoneLengths at{};  // without a stick zone in full slip
   Results value = Results::Zero();
   Eigen::VectorXd h{};                  // Legendre coefficients; none before the first grid
   HottestPoint peak{};                  // the hottest point

@@ -87,10 +87,10 @@ Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approa
   return solution;
 }
 
-void check_with_sign(double friction, const Prescribed& given) {
-  const double x = given.value;
+void check_with_sign(const Scene& scene, const Prescribed& given) {
+  const double x = given.value, friction = scene.friction;
   const std::string range = "between -" + shortest(friction) + " and " + shortest(friction);
-  if (given.quantity == traction)
+  if (given.quantity == traction && !scene.law)
     require(0 < std::abs(x) && std::abs(x) < friction, "traction", x, range + ", the friction");
   if (given.quantity == creep) require(x != 0, "creep", x, "positive, or negative for braking");
 }
@@ -278,11 +278,11 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, double shear
 
 Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
   check(scene);
-  check_with_sign(scene.friction, given);
+  check_with_sign(scene, given);
   const Scene turned = directed(scene, given);
   const bool braking = given.quantity != stick_slip_border && given.value < 0;
   Solution x =
-      solve_turned(turned, {given.quantity, braking ? -given.value : given.value}, approach);
+      solve_turned(turned, {given.quantity, braking ? -given.value : given.value, given.branch}, approach);
   turn(x);
   return x;
 }

@@ -9,8 +9,8 @@
 namespace thermoroll {
 
 /// The factors of a solution at ascending s inside (-1, 1), on both zones: pressure is
-/// p* / sqrt(1 - s^2), slip is v* / sqrt((1 + s)(s - c0)) beyond the border, or v* in full slip, and
-/// (f phi p* - q*) / sqrt((1 + s)(c0 - s)) before it. Dimensionless.
+/// p* / sqrt(1 - s^2), slip is v* / sqrt((1 + s)(s - c0)) beyond the border, or v* in full slip,
+/// and (f phi p* - q*) / sqrt((1 + s)(c0 - s)) before it. Dimensionless.
 struct Factors {
   double friction, border, load_ratio;  ///< f, c0, kappa
   Eigen::ArrayXd s, pressure, slip;

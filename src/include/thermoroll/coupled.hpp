@@ -59,10 +59,15 @@ inline constexpr Reported reported[] = {{Quantity::traction, "traction", "Q*"},
                                         {Quantity::max_temperature, "max_temperature", "T*max"},
                                         {Quantity::max_temperature_at, "max_temperature_at", "s"}};
 
-/// What is prescribed beside f, Pe and H: traction, creep or border, and its value.
+/// The two parts of a traction-creep curve with a maximum: before it, and beyond it.
+enum class Branch { rising, falling };
+
+/// What is prescribed beside f, Pe and H: traction, creep or border, and its value; where friction
+/// depends on temperature, a traction has a branch.
 struct Prescribed {
   Quantity quantity;
   double value;
+  Branch branch = Branch::rising;
 };
 
 /// What a grid of n unknowns has found; change and estimate are relative, and not there for the
@@ -82,6 +87,11 @@ struct NotResolved : std::runtime_error {
   std::vector<GridStep> trace;
 };
 
+/// The maximum of a traction-creep curve, where it is, and estimated errors of both.
+struct TractionLimit {
+  double traction, creep, traction_error, creep_error;
+};
+
 /// A solution of the coupled problem; dimensionless.
 struct CoupledSolution {
   Scene scene;                        ///< whose heating acts on the tractions
@@ -93,6 +103,10 @@ struct CoupledSolution {
   Eigen::VectorXd h;                  ///< n Legendre coefficients in y of h, @eq:h
   std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
   std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for lesser models
+  /// Where friction depends on temperature and the traction is given: the largest traction, if
+  /// there is one, and the branch.
+  std::optional<TractionLimit> limit{};
+  std::optional<Branch> branch{};
 };
 
 /// Put in the eccentricity and its error, which follow from gamma0 and kappa and theirs.
