@@ -48,10 +48,11 @@ struct CurvePoint {
   double traction() const { return solution.value(Quantity::traction); }
 };
 
-std::vector<CurvePoint> walk(const Curve& curve, double asked) {
+std::vector<CurvePoint> walk(const Curve& curve, double friction, double asked) {
   std::vector<CurvePoint> points;
-  for (double rho : {0.003, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 1.0, 1.1, 1.3,
-                     1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
+  const double little = std::min(0.003, 0.1 * asked / friction);  // a fifth of Carter's
+  for (double rho : {little, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5,  0.6,  0.7,  0.8,  0.9,
+                     0.97,   1.0,  1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
     const bool starts = points.empty() || rho == 1;
     const CurvePoint now{rho, curve.at(rho, starts ? GridSolution{} : points.back().solution)};
     if (now.solution.newton_steps == 0) continue;
@@ -106,7 +107,7 @@ struct Extremum {
 };
 
 Extremum extremum(const Curve& curve, double rho, GridSolution near) {
-  const double room = std::min({rho, std::abs(1 - rho), 2 - rho}), reach = std::min(0.1, 0.9 * room);
+  const double room = std::min({rho, std::abs(1 - rho), 2 - rho}), reach = std::min(0.05, room / 2);
   if (room < 1e-3) {  // where the stick zone vanishes
     const GridSolution corner = curve.at(1, {});
     return {corner.value(Quantity::traction), corner.value(Quantity::creep)};
@@ -162,20 +163,24 @@ std::pair<CurvePoint, CurvePoint> enclose(const Curve& curve, const std::vector<
   return {points.front(), points.front()};
 }
 
-GridSolution find_creep(const Scene& scene, Formulation formulation, int n, const Prescribed& given,
-                        const GridSolution& from, Results& slope) {
-  double at = from.value(creep) + slope(creep) * residual(from, given);
+/// Solve with n unknowns where the derivative says, moving on until less than share of each result
+/// is left to be carried over; slope, the derivative by the traction, is improved.
+GridSolution settle(const Scene& scene, Formulation formulation, int n, const Prescribed& given,
+                    const GridSolution& from, Results& slope, double share) {
   GridSolution level = from;
-  for (int k = 0; k < 12; ++k) {
+  for (int k = 0; k < 8; ++k) {
     const GridSolution last = level;
-    level = solve_slipping_grid(scene, formulation, n, at, last);
+    const double missing = residual(last, given);
+    level = last.at.stick == 0
+                ? solve_slipping_grid(scene, formulation, n,
+                                      last.value(creep) + slope(creep) * missing, last)
+                : solve_on_grid(scene, formulation, n,
+                                moved_by(last.at, slope(stick_slip_border) * missing), last);
     if (level.newton_steps == 0) break;
-    const double moved = k > 0 ? level.value(traction) - last.value(traction) : 0;
-    if (moved != 0) slope = (level.value - last.value) / moved;
-    double step = slope(creep) * residual(level, given);
-    if (k > 0 && std::abs(step) <= 1e-3 * at) break;
-    if (std::abs(step) < 1e-3 * at) step = 1e-3 * at;  // a second creep, for the derivative
-    at += std::clamp(step, -0.5 * at, at);
+    const double moved = level.value(traction) - last.value(traction);
+    if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;
+    const Results carried = slope * residual(level, given) / scale_of(level.value);
+    if (carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
@@ -191,16 +196,19 @@ void refuse_beyond(const std::vector<CurvePoint>& points, std::size_t highest,
   const double most = points[highest].traction(), least = points.back().traction();
   if (!limit) require(asked < most, "traction", asked, "below " + fixed(most, 4));
   if (branch == Branch::falling)
-    require(asked > least, "traction", asked, "above " + fixed(least, 4) + " on the falling branch");
+    require(asked > least, "traction", asked,
+            "above " + fixed(least, 4) + " on the falling branch");
 }
 
 }  // namespace
 
 CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
                                 double asked, Branch branch) {
-  constexpr int coarse = 16;
-  const Curve curve(scene, formulation, coarse);
-  std::vector<CurvePoint> points = walk(curve, asked);
+  const Curve coarse(scene, formulation, 16), finer(scene, formulation, 40);
+  std::vector<CurvePoint> points = walk(coarse, scene.friction, asked);
+  const bool found = points.size() > 10 && points.back().rho > 1;
+  const Curve& curve = found ? coarse : finer;
+  if (!found) points = walk(finer, scene.friction, asked);
   if (points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
   const std::size_t highest = add_highest(curve, points);
   std::optional<TractionLimit> limit;
@@ -210,12 +218,11 @@ CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, dou
   const auto [a, b] = enclose(curve, points, highest, branch, asked);
   const Prescribed given{traction, asked};
   Results slope = (b.solution.value - a.solution.value) / (b.traction() - a.traction());
-  CoupledSolution x = refine(scene, formulation, tolerance, given, a.solution, slope,
-                             [&](int n, const GridSolution& last) {
-                               return last.at.stick == 0
-                                          ? find_creep(scene, formulation, n, given, last, slope)
-                                          : find_border(scene, formulation, n, given, last, slope);
-                             });
+  CoupledSolution x =
+      refine(scene, formulation, tolerance, given, a.solution, slope,
+             [&](int n, const GridSolution& last) {
+               return settle(scene, formulation, n, given, last, slope, tolerance / 10);
+             });
   x.limit = limit;
   x.branch = branch;
   return x;

@@ -57,9 +57,12 @@ int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
   };
   LawAtNodes at = law_at_nodes(grid, share, h);
   VectorXd missing = residual(h, at);
+  Eigen::PartialPivLU<MatrixXd> jacobian;
+  double moved = 1;
   for (int step = 1; step <= 40; ++step) {
-    const VectorXd change = jacobian_with_law(grid, share, at).partialPivLu().solve(missing);
-    const double moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
+    if (moved > 1e-3) jacobian.compute(jacobian_with_law(grid, share, at));
+    const VectorXd change = jacobian.solve(missing);
+    moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
     const VectorXd before = h;
     const double missed = missing.norm();

@@ -71,7 +71,7 @@ HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& ru
   const ArrayXd weight = measure(z, rules.slip);
   ArrayXd arm = z.s + z.zones.slip / 2;  // t + b0
   if (z.zones.stick == 0) arm.setOnes();
-  return {temperature_matrix(scene, z, rules.graded, terms),
+  return {temperature_matrix(scene, z, rules.fine, terms),
           lost_friction_matrix(z, rules.slip, weight), weight, arm * weight};
 }
 

@@ -281,8 +281,8 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   check_with_sign(scene, given);
   const Scene turned = directed(scene, given);
   const bool braking = given.quantity != stick_slip_border && given.value < 0;
-  Solution x =
-      solve_turned(turned, {given.quantity, braking ? -given.value : given.value, given.branch}, approach);
+  Solution x = solve_turned(
+      turned, {given.quantity, braking ? -given.value : given.value, given.branch}, approach);
   turn(x);
   return x;
 }
