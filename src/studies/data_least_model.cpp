@@ -137,7 +137,7 @@ void compare(const CoupledSolution& x, const CoupledSolution& exact, Ratios& rat
   }
 }
 
-double median(std::vector<double> x) {
+double middle_of(std::vector<double> x) {
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::nth_element(x.begin(), middle, x.end());
   return *middle;
@@ -158,7 +158,7 @@ void stated_errors(std::ostream& out) {
     if (i >= compared) continue;
     out << q.key;
     for (const Ratios& rung : ratios)
-      out << ',' << rung[i].size() << ',' << fixed(median(rung[i]), 1) << ','
+      out << ',' << rung[i].size() << ',' << fixed(middle_of(rung[i]), 1) << ','
           << std::count_if(rung[i].begin(), rung[i].end(), [](double r) { return r < 1; });
     out << '\n';
   }
