@@ -125,7 +125,7 @@ double largest_change(const Correction& x) {
 Results grid_error(const Correction& x) {
   const ZoneLengths at = zones_of(x.carter);
   const double unequal = std::max(at.stick / at.slip, 1e-3 * at.slip / at.stick);
-  const double in_creep = 1e-4 + 1.2e-3 * std::min(1.0, unequal / 10);
+  const double in_creep = 1.5e-4 + 1.2e-3 * std::min(1.0, unequal / 10);
   Results share;
   share << 1.6e-4, 1.6e-4, 6e-5, in_creep, in_creep, 2.5e-4, 6e-5, 2.2e-3, 1.8e-3, 0, 0;
   return x.mean * share;
