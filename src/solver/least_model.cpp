@@ -71,23 +71,21 @@ GridRules rules_of_correction(const Scene& scene, const ZoneLengths& at, int lea
   return GridRules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
 }
 
-/// What Carter's heat does to Carter's solution.
+/// What heat does to the solution without heat.
 struct Correction {
   Carter carter;                      // without the heat that is added here
   VectorXd h;                         // its values of h at the nodes
-  Results value, cold;                // all but the temperature, with heat and without
+  Results value, cold;                // all but the temperature, with heat and at the old border
   double most, mean;                  // relative change of the flux, at any node and over the heat
   std::vector<Violation> violations;  // at the old border
 };
 
 Correction correct(const Scene& scene, Formulation formulation, const Prescribed& given,
-                   int least) {
+                   const Carter& cold, const VectorXd& h0, int least) {
   const double f = scene.friction;
-  const Carter cold = carter_given(f, given);
   const ZoneLengths before = zones_of(cold);
   const GridRules rules = rules_of_correction(scene, before, least);
-  const ContactGrid grid = contact_grid(scene, formulation, before, rules, 10);
-  const VectorXd h0 = carter_h(before, f);
+  const ContactGrid grid = contact_grid(scene, formulation, before, rules, h0.size());
   const Resultants sum = resultants(grid, h0);
   Results change = Results::Zero();
   change(traction) = sum.traction - carter_values(cold)(traction);
@@ -124,17 +122,39 @@ double largest_change(const Correction& x) {
   return std::max(change.head(compared - 1).maxCoeff(), x.mean);
 }
 
+Results grid_error(const Correction& x) {
+  const ZoneLengths at = zones_of(x.carter);
+  const double unequal = std::max(at.stick / at.slip, 1e-3 * at.slip / at.stick);
+  const double in_creep = 1.5e-4 + 1.2e-3 * std::min(1.0, unequal / 10);
+  Results share;
+  share << 1.6e-4, 1.6e-4, 6e-5, in_creep, in_creep, 2.5e-4, 6e-5, 2.2e-3, 1.8e-3, 0, 0;
+  return x.mean * share;
+}
+
+Results error_of_closed_form(const Correction& x) {
+  Results change = (x.value - x.cold).abs() / scale_of(x.cold);
+  change(Quantity::max_temperature) = x.mean + 1.5 * change(slip_length) / x.cold(slip_length);
+  const double r = largest_change(x);
+  return 1.5 * change + r * r + 30 * grid_error(x);
+}
+
+double temperature_at(const HottestPoint& top, const Scene& scene, const Correction& x,
+                      const GaussLegendre& rays) {
+  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
+  const double slip = zones_of(x.carter).slip;
+  return temperature_and_slope(slip, scene.peclet, h, 1 + top.y, 1 - top.y, 0, rays).value;
+}
+
 CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd& h,
-                     const Results& value, const Carter& c, const HottestPoint& top, double error,
-                     const Prescribed& given) {
+                     const Results& value, const Carter& c, const HottestPoint& top,
+                     const Results& error, const Prescribed& given) {
   const ZoneLengths at = zones_of(c);
   CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, {}, {}};
   x.value(Quantity::max_temperature) = heat_share(scene) * top.value;
   x.value(Quantity::max_temperature_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
   const Results scale = scale_of(x.value);
-  const double all = error + rounding(given, carter_slope(c, given.quantity), scale);
-  x.error = all * scale;
-  x.error(Quantity::max_temperature_at) = at.slip * std::sqrt(all);
+  x.error = (error + 1e-13 + rounding(given, carter_slope(c, given.quantity), scale)) * scale;
+  x.error(Quantity::max_temperature_at) = at.slip * std::sqrt(largest_error(x));
   x.value(given.quantity) = given.value;
   add_eccentricity(x.value, x.error);
   return x;
@@ -148,6 +168,8 @@ std::string brief(double x) {
 
 }  // namespace
 
+double expected_second_order(double change) { return change * (change + 1.5e-3) / 2; }
+
 double expected_change(const Scene& scene, const Carter& c) {
   const double half = c.slip_half_width, own_peclet = 2 * half * scene.peclet;
   return scene.friction * heating_of_both(scene) * std::min(std::sqrt(half), own_peclet);
@@ -157,31 +179,44 @@ double largest_difference(const Results& x, const Results& exact) {
   return ((x - exact).abs() / scale_of(exact)).head(compared).maxCoeff();
 }
 
+double largest_error(const CoupledSolution& x) {
+  return (x.error / scale_of(x.value)).head(compared).maxCoeff();
+}
+
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
   const ZoneLengths at = zones_of(c);
+  const VectorXd h = carter_h(at, scene.friction);
   const HottestPoint top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
-  const bool hot = heating_of_both(scene) > 0;
-  const double left_out = hot ? largest_change(correct(scene, formulation, given, 6)) : 0;
-  const double error = 1.5 * left_out + 0.1 * tolerance;
+  Results error = Results::Zero();
+  if (heating_of_both(scene) > 0)
+    error = error_of_closed_form(correct(scene, formulation, given, c, h, 6));
+  error(Quantity::max_temperature) += 0.1 * tolerance;
   Scene cold = scene;  // as its tractions are
   cold.heating = cold.roller.heating = 0;
-  return rung(cold, formulation, carter_h(at, scene.friction), carter_values(c), c, top, error,
-              given);
+  return rung(cold, formulation, h, carter_values(c), c, top, error, given);
 }
 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given) {
-  const Correction x = correct(scene, formulation, given, 16);
+  const Carter cold = carter_given(scene.friction, given);
+  const VectorXd h0 = carter_h(zones_of(cold), scene.friction);
+  const Correction x = correct(scene, formulation, given, cold, h0, 16);
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const ZoneLengths at = zones_of(x.carter);
   const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
   const GaussLegendre& rays = graded_nodes(tolerance, at.slip * scene.peclet);
   const HottestPoint top = find_hottest(at.slip, scene.peclet, h, near, rays);
-  const double r = std::max(largest_change(x), x.most);
-  const double later = r < 1 ? r * r / (1 - r) : std::numeric_limits<double>::infinity();
-  const double error = 2 * later + 2e-3 * r + 0.1 * tolerance;
+  const Correction next = correct(scene, formulation, given, x.carter, h, 13);
+  Results later = (next.value - x.value).abs() / scale_of(x.value);
+  const double hotter = temperature_at(top, scene, next, rays);
+  later(Quantity::max_temperature) = std::abs(hotter / top.value - 1);
+  const double r = std::max({largest_change(x), x.most, next.most});
+  const double sum = r < 1 ? 1 / (1 - r) : std::numeric_limits<double>::infinity();
+  const double most = later.head(compared).maxCoeff();
+  Results error = sum * (2 * later + r * most) + grid_error(x);
+  error(Quantity::max_temperature) += 0.1 * tolerance;
   CoupledSolution solution = rung(scene, formulation, h, x.value, x.carter, top, error, given);
   solution.violations = x.violations;
   return solution;
@@ -191,23 +226,28 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
                    const Prescribed& given) {
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
-  const double guess = sticks_without_heat(scene.friction, given)
-                           ? expected_change(scene, carter_given(scene.friction, given)) / 4
-                           : 1;  // no closed form to start from
-  if (guess < tolerance) {
+  if (!sticks_without_heat(scene.friction, given))
+    return {Model::coupled, "without heat nothing would stick",
+            solve_coupled(scene, formulation, tolerance, given)};
+  double change = expected_change(scene, carter_given(scene.friction, given));
+  if (change <= tolerance) {
     CoupledSolution x = closed_form(scene, formulation, tolerance, given);
-    const double left = x.error(Quantity::load_ratio);
-    if (left <= tolerance)
-      return {Model::closed_form, "heat changes no result by more than " + brief(left), x};
+    change = largest_error(x);
+    if (change <= tolerance)
+      return {Model::closed_form, "heat changes no result by more than " + brief(change), x};
   }
-  if (guess * guess < tolerance) {
+  double left = expected_second_order(change);
+  std::string reason = "one linear correction is expected to leave out " + brief(left);
+  if (left <= tolerance) {
     CoupledSolution x = first_order(scene, formulation, tolerance, given);
-    const double left = x.error(Quantity::load_ratio);
-    if (left <= tolerance && x.violations.empty())
-      return {Model::first_order, "the second order of heat is below " + brief(left), x};
+    left = largest_error(x);
+    const bool contact = x.violations.empty();
+    if (left <= tolerance && contact)
+      return {Model::first_order, "one linear correction leaves out at most " + brief(left), x};
+    reason = contact ? "one linear correction may leave out " + brief(left)
+                     : "one linear correction is no contact";
   }
-  return {Model::coupled, "heat acts on the heat by more than " + brief(tolerance),
-          solve_coupled(scene, formulation, tolerance, given)};
+  return {Model::coupled, reason, solve_coupled(scene, formulation, tolerance, given)};
 }
 
 }  // namespace thermoroll

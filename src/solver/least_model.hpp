@@ -13,6 +13,10 @@ namespace thermoroll {
 /// How much heat is expected to change results, relatively, @eq:a-priori.
 double expected_change(const Scene& scene, const Carter& c);
 
+/// The error that one linear correction is expected to leave, relatively, where heat changes
+/// results by so much, @eq:first-order-forecast.
+double expected_second_order(double change);
+
 /// The rungs, as solutions of the coupled problem; errors include what the model leaves out, and
 /// are infinite where heat is too strong for one linear correction. The closed form's h has ten
 /// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
@@ -24,6 +28,9 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
 /// The largest difference of any quantity but the place of the hottest point, in units of what its
 /// tolerance is relative to; dimensionless.
 double largest_difference(const Results& x, const Results& exact);
+
+/// The largest stated error of any quantity but that place, in the same units; dimensionless.
+double largest_error(const CoupledSolution& x);
 
 /// A solution, the model that it is of, and why that one.
 struct Choice {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,35 @@ class Scenes {
   Driven next() {
     const double f = log_uniform(0.05, 1), q = f * log_uniform(0.01, 0.999);
     return {f, q, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+  }
+
+ private:
+  double log_uniform(double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(random_() >> 11) * 0x1p-53);
+  }
+  std::mt19937_64 random_;
+};
+
+// A scene, what is given of it, and a tolerance.
+struct SmallContact {
+  thermoroll::Scene scene;
+  Prescribed given;
+  double tolerance;
+};
+
+// Contacts small beside the roller, by a seed: H to a tenth, f from 0.03 to 1.5, Pe from 1e-3 to
+// 1e8, and Carter's Q*/f or what it is short of one from 1e-4 to a half; all that can be given.
+class SmallContacts {
+ public:
+  explicit SmallContacts(unsigned seed) : random_(seed) {}
+  SmallContact next() {
+    const double f = log_uniform(0.03, 1.5), part = log_uniform(1e-4, 0.5);
+    const double share = random_() % 2 ? part : 1 - part;
+    const thermoroll::Scene scene{f, log_uniform(1e-3, 1e8), log_uniform(2e-5, 0.1)};
+    const Quantity all[] = {Quantity::traction, Quantity::creep, Quantity::stick_slip_border};
+    const Quantity what = all[random_() % 3];
+    const Results carter = thermoroll::carter_values(thermoroll::carter(f, f * share));
+    return {scene, {what, carter(what)}, log_uniform(1e-8, 1e-2)};
   }
 
  private:
@@ -237,7 +267,7 @@ TEST(LeastModel, FirstOrderErrorIsHonest) {
     const Prescribed given{Quantity::traction, scene.traction};
     const CoupledSolution rungs[] = {thermoroll::closed_form(scene, formulation, 1e-7, given),
                                      thermoroll::first_order(scene, formulation, 1e-7, given)};
-    if (rungs[1].error(Quantity::load_ratio) > 0.1) continue;
+    if (thermoroll::largest_error(rungs[1]) > 0.1) continue;
     const CoupledSolution exact = better(scene, formulation, 1e-8);
     for (const int k : {0, 1}) {
       ++used[k];
@@ -250,8 +280,9 @@ TEST(LeastModel, FirstOrderErrorIsHonest) {
   EXPECT_GT(used[0], 40 * thorough);
 }
 
-// What the closed form says of its error covers the change of the flux in the mean over the heat,
-// at the same share of the slip zone, though much of it cancels in every sum.
+// What the closed form says of the error of its temperatures, which are those of its flux, covers
+// the change of the flux in the mean over the heat, at the same share of the slip zone, though much
+// of it cancels in every sum.
 TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
   const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(60);
   int beyond_sums = 0;
@@ -268,31 +299,109 @@ TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
         const Eigen::ArrayXd weight = thermoroll::place_nodes({slip, 1 + border}, rule, rule).heat;
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
         const double moved = (weight * (after - before).abs()).sum() / (weight * before).sum();
-        EXPECT_LE(moved, cold.error(Quantity::load_ratio)) << text(scene);
+        const Quantity top = Quantity::max_temperature;
+        EXPECT_LE(moved, cold.error(top) / cold.value(top)) << text(scene);
         if (moved > 1.5 * apart(cold, hot)) ++beyond_sums;
       }
   EXPECT_GT(beyond_sums, 0) << "else the quantities would do";
 }
 
-// @eq:first-order-error: R is no less than the largest change of the flux at a node, which no sum
-// shows at high speed. What is second in R here is the flux's own rounding, 1e-12 of R.
-TEST(LeastModel, FirstOrderErrorKnowsTheFluxAtEveryNode) {
-  int beyond_sums = 0;
+// @eq:first-order-error: where the flux at a node changes by as much as there is, the changes need
+// not shrink, though every sum changes by less, and no error is known.
+TEST(LeastModel, FirstOrderKnowsNoErrorWhereTheFluxAtANodeIsAnother) {
+  int beyond = 0, below = 0;
   for (const Formulation formulation : both)
     for (const double peclet : {10.0, 1e3, 1e5, 1e7})
-      for (const double heating : {1e-3, 1e-2, 1e-1}) {
+      for (const double heating : {1e-2, 1e-1, 0.3, 1.0}) {
         const Driven scene{0.6, 0.3, peclet, heating};
         const Prescribed given{Quantity::stick_slip_border, 0};
         const CoupledSolution cold = thermoroll::closed_form(scene, formulation, 1e-7, given);
         const CoupledSolution hot = thermoroll::first_order(scene, formulation, 1e-7, given);
         const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(hot.unknowns);
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
-        const double r = (after - before).abs().maxCoeff() / before.maxCoeff() * (1 - 1e-12);
-        const double least = r < 1 ? 2 * r * r / (1 - r) : infinity;
-        EXPECT_GE(hot.error(Quantity::load_ratio), least) << text(scene);
-        if (r > 2 * apart(cold, hot)) ++beyond_sums;
+        const double r = (after - before).abs().maxCoeff() / before.maxCoeff();
+        if (r < 1) ++below;
+        if (r < 1 || apart(cold, hot) >= 1) continue;
+        ++beyond;
+        EXPECT_EQ(thermoroll::largest_error(hot), infinity) << text(scene);
       }
-  EXPECT_GT(beyond_sums, 0) << "else the quantities would do";
+  EXPECT_GT(beyond, 0);
+  EXPECT_GT(below, 0);
+}
+
+// In contacts that are small beside the roller, H is at most a tenth. There at most a thousandth of
+// the true errors exceed what both lesser models state, and none exceeds it twice. In the middle of
+// the scenes the largest stated error is at most ten times the largest true one.
+TEST(LeastModel, ErrorsCoverWhatIsLeftOut) {
+  SmallContacts contacts(11);
+  int values[2] = {0, 0}, beyond[2] = {0, 0};
+  std::vector<double> ratios[2];
+  for (int i = 0; i < 60 * thorough; ++i) {
+    const SmallContact x = contacts.next();
+    CoupledSolution exact;
+    try {
+      exact = thermoroll::solve_coupled(x.scene, both[i % 2], 1e-9, x.given);
+    } catch (const std::exception&) {  // refused by name
+      continue;
+    }
+    const Results scale = thermoroll::scale_of(exact.value);
+    const CoupledSolution rungs[] = {thermoroll::closed_form(x.scene, both[i % 2], 1e-9, x.given),
+                                     thermoroll::first_order(x.scene, both[i % 2], 1e-9, x.given)};
+    for (const int k : {0, 1}) {
+      const CoupledSolution& rung = rungs[k];
+      const Results off = (rung.value - exact.value).abs() - exact.error;
+      for (int what = 0; what < thermoroll::compared; ++what) {
+        ++values[k];
+        if (off[what] > rung.error[what]) ++beyond[k];
+        EXPECT_LE(off[what], 2 * rung.error[what])
+            << "rung " << k << ", quantity " << what << ": scene " << i;
+      }
+      const double most = (off / scale).head(thermoroll::compared).maxCoeff();
+      if (most > 10 * thermoroll::largest_error(exact))
+        ratios[k].push_back(thermoroll::largest_error(rung) / most);
+    }
+  }
+  for (const int k : {0, 1}) {
+    EXPECT_LE(beyond[k], 1e-3 * values[k]) << "rung " << k;
+    ASSERT_GT(ratios[k].size(), 15u * thorough) << "rung " << k;
+    const auto middle = ratios[k].begin() + static_cast<std::ptrdiff_t>(ratios[k].size() / 2);
+    std::nth_element(ratios[k].begin(), middle, ratios[k].end());
+    EXPECT_LE(*middle, 10) << "rung " << k;
+  }
+}
+
+// A rung is seldom tried in vain, and seldom left out: in one scene of twenty at most, of small
+// contacts with tolerances between 1e-8 and 1e-2.
+TEST(LeastModel, ForecastsSeldomFail) {
+  SmallContacts contacts(12);
+  const int scenes = 50 * thorough;
+  int in_vain[2] = {0, 0}, left_out[2] = {0, 0};
+  for (int i = 0; i < scenes; ++i) {
+    const SmallContact x = contacts.next();
+    const thermoroll::Carter c = thermoroll::carter_given(x.scene.friction, x.given);
+    const auto closed = thermoroll::closed_form(x.scene, both[i % 2], x.tolerance, x.given);
+    const auto first = thermoroll::first_order(x.scene, both[i % 2], x.tolerance, x.given);
+    const double change = thermoroll::expected_change(x.scene, c);
+    const double forecast[] = {change, thermoroll::expected_second_order(change)};
+    const double error[] = {thermoroll::largest_error(closed), thermoroll::largest_error(first)};
+    for (const int k : {0, 1}) {
+      if (forecast[k] <= x.tolerance && error[k] > x.tolerance) ++in_vain[k];
+      if (forecast[k] > x.tolerance && error[k] <= x.tolerance) ++left_out[k];
+    }
+  }
+  for (const int k : {0, 1}) {
+    EXPECT_LE(in_vain[k], scenes / 20) << "rung " << k;
+    EXPECT_LE(left_out[k], scenes / 20) << "rung " << k;
+  }
+}
+
+// Each result has an error of its own: in the paper's scene the second order moves the border ten
+// times as far as gamma0, and the load ratio in between.
+TEST(LeastModel, EveryQuantityHasItsOwnError) {
+  const Prescribed given{Quantity::traction, 0.5};
+  const auto x = thermoroll::first_order({0.6, 4360, 0.0175}, Formulation::corrected, 1e-6, given);
+  EXPECT_LT(x.error(Quantity::gamma0), 0.1 * x.error(Quantity::stick_slip_border));
+  EXPECT_LT(x.error(Quantity::load_ratio), 0.3 * x.error(Quantity::stick_slip_border));
 }
 
 // Sixteen unknowns, and more where it is fast or the slip zone short, resolve the correction to
@@ -344,7 +453,7 @@ TEST(LeastModel, NoContactIsNotLeftToTheFirstOrder) {
     ASSERT_EQ(x.violations.size(), 1u);
     EXPECT_LE(std::abs(x.violations[0].from - x.value(Quantity::stick_slip_border)), 1e-4);
     const double tolerance = 5e-3;
-    ASSERT_LE(x.error(Quantity::load_ratio), tolerance) << "or its error alone rules it out";
+    ASSERT_LE(thermoroll::largest_error(x), tolerance) << "or its error alone rules it out";
     const Choice choice = thermoroll::least_model(scene, formulation, tolerance, given);
     EXPECT_EQ(choice.model, Model::coupled);
     EXPECT_TRUE(choice.solution.violations.empty());
@@ -393,7 +502,7 @@ TEST(LeastModel, MeetsEveryTolerance) {
     try {
       const Choice x = thermoroll::least_model(scene, formulation, tolerance,
                                                {Quantity::traction, scene.traction});
-      EXPECT_LE(x.solution.error(Quantity::load_ratio), tolerance) << text(scene);
+      EXPECT_LE(thermoroll::largest_error(x.solution), tolerance) << text(scene);
       EXPECT_LE(apart(x.solution, better(scene, formulation, tolerance / 10)), 1.1 * tolerance)
           << text(scene) << ": " << x.reason;
       ++compared;
@@ -425,6 +534,7 @@ TEST(LeastModel, TakesTheRungsInTurn) {
   };
   EXPECT_EQ(model(0.0175, 1e-2), Model::closed_form);
   EXPECT_EQ(model(0.0175, 1e-3), Model::first_order);
+  EXPECT_EQ(model(0.0175, 1e-4), Model::first_order);
   EXPECT_EQ(model(0.0175, 1e-6), Model::coupled);
   for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
     Model last = Model::closed_form;
