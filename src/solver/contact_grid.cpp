@@ -24,7 +24,7 @@ struct LawAtNodes {
 
 LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
-  const ArrayXd temperature = share * (grid.hot->temperature * h).array();
+  const ArrayXd temperature = share * (grid.hot->temperature.topRows(x.p.rows()) * h).array();
   LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}};
   for (Index i = 0; i < temperature.size(); ++i) {
     const RelativeFriction friction = grid.scene.law(temperature(i));
@@ -39,7 +39,7 @@ LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h
 MatrixXd jacobian_with_law(const ContactGrid& grid, double share, const LawAtNodes& at) {
   const TractionOperators& x = grid.tractions;
   const ArrayXd& sigma = grid.nodes.sigma;
-  const MatrixXd dt = share * grid.hot->temperature;
+  const MatrixXd dt = share * grid.hot->temperature.topRows(x.p.rows());
   MatrixXd dv = (1 - at.phi).matrix().asDiagonal() * (share * x.p);
   dv -= (at.pressure * at.slope).matrix().asDiagonal() * dt;
   dv = share * x.v + grid.scene.friction * grid.hot->s * dv;
@@ -98,17 +98,14 @@ Lost lost_friction(const ContactGrid& grid, const VectorXd& h) {
 /// Add f S[B] to the brackets v of the stick zone, with p-hat there; phi at the stick nodes.
 ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const ArrayXd& p, ArrayXd& v) {
   const Nodes& z = grid.nodes;
-  const double slip = z.zones.slip, share = heat_share(grid.scene);
   const LawAtNodes at = law_at_nodes(grid, 1, h);
   const ArrayXd lost = (1 - at.phi) * at.pressure;
+  const ArrayXd temperature = grid.hot->temperature.bottomRows(z.d.size()) * h;
   ArrayXd phi(z.d.size());
   for (Index i = 0; i < phi.size(); ++i) {
-    const double t =
-        temperature_and_slope(slip, grid.scene.peclet, h, 0, 2, z.d(i) / slip, grid.rules.fine)
-            .value;
-    phi(i) = grid.scene.law(share * t).value;
+    phi(i) = grid.scene.law(temperature(i)).value;
     const double here = (1 - phi(i)) * p(i);
-    const ArrayXd quotient = (lost - here) / (slip * z.t + z.d(i));
+    const ArrayXd quotient = (lost - here) / (z.zones.slip * z.t + z.d(i));
     v(i) += grid.scene.friction * ((grid.hot->weight * quotient).sum() / pi - here);
   }
   return phi;

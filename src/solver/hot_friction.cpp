@@ -44,15 +44,15 @@ MatrixXd lost_friction_matrix(const Nodes& z, const GaussLegendre& rule, const A
 
 MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegendre& rule,
                             Index terms) {
-  const Index n = z.y.size();
-  const double slip = z.zones.slip;
-  MatrixXd t = MatrixXd::Zero(n, terms);
+  const Index n = z.y.size(), m = z.d.size();
+  const double slip = z.zones.slip, peclet = scene.peclet * slip;
+  MatrixXd t = MatrixXd::Zero(n + m, terms);
   RowVectorXd mirror = RowVectorXd::Ones(terms);
   for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
   GradedRule graded;
   Sums sums(node_weights, terms);
   for (Index i = 0; i < n; ++i) {
-    grade(graded, scene.peclet * slip, 0, 1 + z.y(i), 1 - z.y(i), rule);
+    grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
     KernelWeights weights = KernelWeights::Zero(graded.y.size(), node_weights);
     const std::vector<Kernels> kernels = at_distances(graded.zeta);
     for (Index k = 0; k < graded.y.size(); ++k) {
@@ -64,6 +64,18 @@ MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegen
     t.row(i) += sums.row(0);
     t.row(n - 1 - i) += sums.row(1).cwiseProduct(mirror);
   }
+  if (m > 0) {
+    const ArrayXd gap = z.d / slip, further = peclet * (gap - gap.minCoeff());
+    grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
+    MatrixXd kernel(m, graded.y.size());
+    for (Index k = 0; k < graded.y.size(); ++k) {
+      const ArrayXd zeta = graded.zeta(k) + further;
+      const std::vector<Kernels> kernels = at_distances(zeta);
+      for (Index j = 0; j < m; ++j)
+        kernel(j, k) = kernels[static_cast<std::size_t>(j)].m_down * std::exp(-2 * zeta(j));
+    }
+    t.bottomRows(m) = kernel * graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
+  }
   return heat_share(scene) * slip * slip / pi * t;
 }
 
@@ -71,7 +83,7 @@ HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& ru
   const ArrayXd weight = measure(z, rules.slip);
   ArrayXd arm = z.s + z.zones.slip / 2;  // t + b0
   if (z.zones.stick == 0) arm.setOnes();
-  return {temperature_matrix(scene, z, rules.fine, terms),
+  return {temperature_matrix(scene, z, rules.graded, terms),
           lost_friction_matrix(z, rules.slip, weight), weight, arm * weight};
 }
 

@@ -8,9 +8,9 @@
 
 namespace thermoroll {
 
-/// Matrices for a law of friction on the n slip nodes.
+/// Matrices for a law of friction on the n slip nodes and m stick nodes.
 struct HotFriction {
-  Eigen::MatrixXd temperature;  // T* of h, a column for each term of it
+  Eigen::MatrixXd temperature;  // T* at the n, then the m nodes; a column for each term of h
   Eigen::MatrixXd s;            // S of @eq:lost-friction on the values of B, n x n
   Eigen::ArrayXd weight;        // of the integral in S
   Eigen::ArrayXd moment;        // of that for the traction, @eq:lost-sums
