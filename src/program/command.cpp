@@ -285,7 +285,8 @@ Methods: auto takes the least of the next three that meets the tolerance; couple
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
 gauss-chebyshev is the published scheme and has no error estimate.
-Temperatures in degree C are rises above ambient.)";
+Temperatures in degree C are rises above ambient. Unless --roller says otherwise, all heat goes into
+one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
   thermoroll sweep <scenes.csv >results.csv
@@ -303,7 +304,8 @@ constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
 
 The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
-units) and error_estimate (of T*, absolute; empty for gauss-chebyshev).)";
+units) and error_estimate (of T*, absolute; empty for gauss-chebyshev). Unless --roller says
+otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list
