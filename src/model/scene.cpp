@@ -72,15 +72,13 @@ void check(const PhysicalScene& si) {
 double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }
 
 double heating_of_both(const Scene& scene) {
-  const double share = heat_share(scene);
-  return share * scene.heating + (1 - share) * scene.roller.heating;
+  const Roller& roller = scene.roller;
+  return heat_share(scene) * (scene.heating + roller.conductivity_ratio * roller.heating);
 }
 
 double strain_share(const Scene& scene) {
-  const double share = heat_share(scene), both = heating_of_both(scene);
-  if (both == 0) return 0;
-  const double difference = share * scene.heating - (1 - share) * scene.roller.heating;
-  return sign_of(scene.direction) * difference / both;
+  const double own = scene.heating, other = scene.roller.conductivity_ratio * scene.roller.heating;
+  return own + other > 0 ? sign_of(scene.direction) * (own - other) / (own + other) : 0;
 }
 
 }  // namespace thermoroll

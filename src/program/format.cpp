@@ -45,9 +45,9 @@ RollerKind kind_of(const Scene& scene) {
 }
 
 void share_heat(json& o, const Scene& scene, const Results& x) {
-  const double share = heat_share(scene), heat = x(Quantity::heat_integral);
-  o["heat_1"] = share * heat;
-  o["heat_2"] = (1 - share) * heat;
+  const double heat = heat_share(scene) * x(Quantity::heat_integral);
+  o["heat_1"] = heat;
+  o["heat_2"] = scene.roller.conductivity_ratio * heat;
 }
 
 template <class T, std::size_t n>
