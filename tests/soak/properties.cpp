@@ -470,6 +470,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
   try {
     const CoupledSolution found = solve(x, x.given.value);
     const bool slips = found.value(stick_slip_border) == -1;
+    if (slips && !found.violations.empty()) return record.outcome("no contact, in full slip");
     record.outcome(slips ? "solved, in full slip" : "solved");
     examine_results(record, x, found);
     if (slips) return;  // what follows is about both zones
