@@ -278,6 +278,7 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --method closed-form --format json
   thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+  thermoroll solve --friction 0.6 --traction -0.5 --peclet 4360 --heating 0.0175 --roller identical
   thermoroll solve --config wheel.toml --traction 0.4
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).

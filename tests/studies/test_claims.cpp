@@ -134,8 +134,8 @@ TEST(Claims, PhaseTransformationIsJudgedAtEveryLoad) {
   EXPECT_EQ(phases->verdict, "holds, at Q* = 0.2, 0.4, 0.5, not at 0.59");
 }
 
-// Half of the heat flows into either of two identical bodies. What heat does to the slip changes with
-// the strain, by fH = 0.01 of it at most.
+// Half of the heat flows into either of two identical bodies. What heat does to the slip changes
+// with the strain, by fH = 0.01 of it at most.
 TEST(Claims, TwoBodiesAreHalfAsHot) {
   const auto pair = std::find_if(claims().begin(), claims().end(), [](const Claim& c) {
     return c.claim.find("both bodies may conduct") != std::string::npos;
