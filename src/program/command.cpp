@@ -315,7 +315,9 @@ constexpr const char* figure_data_examples = R"(Examples:
 
 constexpr const char* claims_examples = R"(Examples:
   thermoroll claims
-  thermoroll claims --format csv --output claims.csv)";
+  thermoroll claims --format csv --output claims.csv
+
+As in the paper all heat goes into one body: two steel bodies are about half as hot.)";
 
 constexpr const char* program_footer = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175

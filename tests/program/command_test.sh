@@ -477,6 +477,7 @@ NotesOnDataBeyondTheModel() {
   done
   sed 's/^thermoroll: note: //' err >told
   sed -n '/^  "notes": \[$/,/^  \]$/p' out | sed -n 's/^    "\(.*\)",\{0,1\}$/\1/p' | diff told - || fail "not in the JSON: $(cat out)"
+  grep -q 'with all heat in one body: two steel bodies are about half as hot' err || fail "$(cat err)"
   run solve "${in_gpa[@]}" --format csv
   [ "$(tail -1 out | sed 's/.*,//')" = "$(paste -sd';' told | sed 's/;/; /g')" ] || fail "not in the CSV: $(cat out)"
   run temperature "${in_gpa[@]}" --at 0.5
