@@ -84,7 +84,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o.update(object(x.value));
   share_heat(o, x.scene, x.value);
   o["heat_partition"] = heat_share(x.scene);
-  o["full_slip"] = false;
+  o["full_slip"] = x.value(Quantity::stick_slip_border) == -1;
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
   o["inner_iterations"] = scheme ? scheme->inner_iterations : 0;
