@@ -338,6 +338,8 @@ Rollers() {
   near "$(value heat_1)" "$(calculate "$(value heat_integral) / 2")" 1e-17
   answers solve "${scene[@]}" --roller conducting --conductivity-ratio 1 --heating-2 1
   cmp out identical || fail "the same data by another word"
+  answers solve "${scene[@]}" --roller conducting --conductivity-ratio 1 --heating-2 2
+  [ "$(value roller)" = conducting ] || fail "another expansion is not identical: $(cat out)"
   answers solve "${scene[@]}" --roller conducting --conductivity-ratio 0.25 --heating-2 2
   [ "$(value roller) $(value heating_2) $(value conductivity_ratio) $(value heat_partition)" = \
     "conducting 2.0 0.25 0.8" ] || fail "$(cat out)"
