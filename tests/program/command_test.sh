@@ -374,7 +374,7 @@ Laws() {
   [ "$(value friction_min) $(value friction_reference_temperature)" = "0.6 1.0" ] || fail "$(cat out)"
   local kind last=""
   for kind in exponential rational piecewise-linear linear; do
-    answers solve --creep 0.3 "${scene[@]}" --friction-law $kind --friction-temperature 0.02 --friction-floor 0.5
+    answers solve --creep 0.1 "${scene[@]}" --friction-law $kind --friction-temperature 0.02 --friction-floor 0.5
     [ "$(value friction_law) $(value friction_floor)" = "$kind 0.5" ] || fail "$(cat out)"
     [ "$(value traction)" != "$last" ] || fail "$kind is as another"
     last=$(value traction)
@@ -400,32 +400,33 @@ Laws() {
 }
 
 # In SI units: K and degree C in place of T*, with the half-width or the radius given; the bulk
-# temperature shifts the reference and the absolute temperature only.
+# temperature shifts the reference and the absolute temperature only. (The reference is below the
+# bulk, so that the law has no kink.)
 LawInSiUnits() {
-  local si=(--friction 0.6 --creep 0.15 "${steel[@]:4}" --tolerance 1e-4 --format json)
+  local si=(--friction 0.6 --creep 0.15 "${steel[@]:4}" --tolerance 1e-8 --format json)
   answers solve "${si[@]}" --half-width 5.5e-3
   [ "$(value contact_temperature_celsius)" = null ] || fail "$(cat out)"
   local unit
   unit=$(calculate "$(value max_temperature_celsius) / $(value max_temperature)")
   local law=(--friction-law exponential --friction-temperature 500 --friction-floor 0.3)
-  answers solve "${si[@]}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 20 --friction-reference-temperature 70
+  answers solve "${si[@]}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 20 --friction-reference-temperature -10
   near "$(value friction_temperature)" "$(calculate "500 / $unit")" 1e-12
-  near "$(value friction_reference_temperature)" "$(calculate "50 / $unit")" 1e-12
+  near "$(value friction_reference_temperature)" "$(calculate "-30 / $unit")" 1e-12
   near "$(value contact_temperature_celsius)" "$(calculate "20 + $(value max_temperature_celsius)")" 1e-9
   local traction temperature radius
   traction=$(value traction) temperature=$(value max_temperature_celsius) radius=$(value radius)
   [ "$(grep -c '"contact_temperature_celsius": [0-9]' out)" -eq 2 ] || fail "no error: $(cat out)"
   local groups=(--peclet "$(value peclet)" --heating "$(value heating)")
-  answers solve --friction 0.6 --creep 0.15 "${groups[@]}" --tolerance 1e-4 --friction-law exponential --friction-floor 0.3 \
-    --friction-temperature "$(calculate "500 / $unit")" --friction-reference-temperature "$(calculate "50 / $unit")" --format json
+  answers solve --friction 0.6 --creep 0.15 "${groups[@]}" --tolerance 1e-8 --friction-law exponential --friction-floor 0.3 \
+    --friction-temperature "$(calculate "500 / $unit")" --friction-reference-temperature "$(calculate "-30 / $unit")" --format json
   near "$(value traction)" "$traction" 1e-7
-  answers solve "${si[@]}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 100 --friction-reference-temperature 150
+  answers solve "${si[@]}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 100 --friction-reference-temperature 70
   near "$(value traction)" "$traction" 1e-12
   near "$(value contact_temperature_celsius)" "$(calculate "100 + $temperature")" 1e-9
   # the unit of temperature changes with the half-width, and the law in degree C does not
-  answers solve "${si[@]}" --radius "$radius" "${law[@]}" --bulk-temperature 20 --friction-reference-temperature 70
-  near "$(value traction)" "$traction" 1e-4
-  near "$(value max_temperature_celsius)" "$temperature" 0.1
+  answers solve "${si[@]}" --radius "$radius" "${law[@]}" --bulk-temperature 20 --friction-reference-temperature -10
+  near "$(value traction)" "$traction" 1e-7
+  near "$(value max_temperature_celsius)" "$temperature" 1e-4
   answers solve "${si[@]:0:-2}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 20
   grep -q '^contact_temperature_celsius  *[0-9.]*  *[0-9.e-]*  *degree C$' out || fail "$(cat out)"
   answers solve "${si[@]:0:-1}" csv --half-width 5.5e-3 --bulk-temperature 20
