@@ -403,7 +403,8 @@ Laws() {
 # temperature shifts the reference and the absolute temperature only. (The reference is below the
 # bulk, so that the law has no kink.)
 LawInSiUnits() {
-  local si=(--friction 0.6 --creep 0.15 "${steel[@]:4}" --tolerance 1e-8 --format json)
+  local data=(--friction 0.6 --creep 0.15 "${steel[@]:4}" --tolerance 1e-8)
+  local si=("${data[@]}" --format json)
   answers solve "${si[@]}" --half-width 5.5e-3
   [ "$(value contact_temperature_celsius)" = null ] || fail "$(cat out)"
   local unit
@@ -427,9 +428,9 @@ LawInSiUnits() {
   answers solve "${si[@]}" --radius "$radius" "${law[@]}" --bulk-temperature 20 --friction-reference-temperature -10
   near "$(value traction)" "$traction" 1e-7
   near "$(value max_temperature_celsius)" "$temperature" 1e-4
-  answers solve "${si[@]:0:-2}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 20
+  answers solve "${data[@]}" --half-width 5.5e-3 "${law[@]}" --bulk-temperature 20
   grep -q '^contact_temperature_celsius  *[0-9.]*  *[0-9.e-]*  *degree C$' out || fail "$(cat out)"
-  answers solve "${si[@]:0:-1}" csv --half-width 5.5e-3 --bulk-temperature 20
+  answers solve "${data[@]}" --format csv --half-width 5.5e-3 --bulk-temperature 20
   head -1 out | grep -q ',physical.contact_temperature_celsius,.*,physical.error_estimate.contact_temperature_celsius,' ||
     fail "$(cat out)"
 }
