@@ -56,6 +56,20 @@ constexpr CaseOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
                                               "given",
                                               &CaseOptions::diffusivity_2}};
 
+constexpr CaseOption law_options[] = {
+    {"--friction-temperature", "NUMBER",
+     "T0*, the rise that changes friction by f, or in K with SI data; below 0 friction rises",
+     &CaseOptions::friction_temperature},
+    {"--friction-floor", "NUMBER", "least friction over f, 0 unless given (piecewise-linear: last)",
+     &CaseOptions::friction_floor},
+    {"--friction-reference-temperature", "NUMBER",
+     "up to where friction is f: T* over the bulk, or degree C with SI data; the bulk if not given",
+     &CaseOptions::friction_reference_temperature}};
+
+constexpr CaseOption bulk_options[] = {{"--bulk-temperature", "degree C",
+                                        "of both bodies far away; nothing else is absolute",
+                                        &CaseOptions::bulk_temperature}};
+
 constexpr CaseOption given_options[] = {
     {"--traction", "NUMBER", "traction Q* = Q/P, between -f and f; negative for braking",
      &CaseOptions::traction},
@@ -100,6 +114,14 @@ void add_roller(CLI::App& command, CaseOptions& o) {
            "driving unless given, or as the sign of traction or creep says", "Scene");
 }
 
+void add_law(CLI::App& command, CaseOptions& o) {
+  const char* group = "Friction that depends on temperature (see the examples)";
+  add_word(command, "friction-law", o.friction_law, law_names, "constant unless given", group);
+  for (const CaseOption& option : law_options) declare(command, o, option, group);
+  add_word(command, "branch", o.branch, branch_names,
+           "of the two solutions at one traction, rising unless given", group);
+}
+
 Approach read_approach(const CaseOptions& o) {
   Approach a;
   a.method = value_of(method_names, o.method);
@@ -113,7 +135,8 @@ Prescribed read_given(const CaseOptions& o) {
   if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
     throw std::invalid_argument(
         "exactly one of --traction, --creep and --stick-slip-border is needed");
-  if (o.traction) return {Quantity::traction, *o.traction};
+  const Branch branch = o.branch.empty() ? Branch::rising : value_of(branch_names, o.branch);
+  if (o.traction) return {Quantity::traction, *o.traction, branch};
   return o.creep ? Prescribed{Quantity::creep, *o.creep}
                  : Prescribed{Quantity::stick_slip_border, *o.border};
 }
@@ -175,6 +198,36 @@ void read_roller(const CaseOptions& o, PhysicalScene& si) {
   require(alike || si.conductivity_2 > 0, "conductivity-2", si.conductivity_2, "positive");
 }
 
+void check_law_options(const CaseOptions& o, bool si) {
+  const std::string branch = o.branch.empty() ? "" : " --branch";
+  const std::string data = those(law_options, o, true) + branch;
+  const bool constant = !value_of(law_names, o.friction_law);
+  if (constant && !data.empty())
+    throw std::invalid_argument("constant friction has none of these:" + data +
+                                "; a --friction-law that is not constant is needed");
+  if (!constant && !o.friction_temperature)
+    throw std::invalid_argument("--friction-law " + o.friction_law +
+                                " lacks --friction-temperature");
+  if (!branch.empty() && !o.traction)
+    throw std::invalid_argument(
+        "--branch is for a given traction: a creep or a border has one solution");
+  if (!si && o.bulk_temperature)
+    throw std::invalid_argument("--bulk-temperature is for data in SI units");
+  if (si && o.friction_reference_temperature && !o.bulk_temperature)
+    throw std::invalid_argument(
+        "--friction-reference-temperature in degree C needs --bulk-temperature");
+}
+
+std::optional<LawOfFriction> read_law(const CaseOptions& o, bool si) {
+  check_law_options(o, si);
+  const std::optional<LawKind> kind = value_of(law_names, o.friction_law);
+  if (!kind) return std::nullopt;
+  LawOfFriction law{*kind, {*o.friction_temperature, o.friction_floor.value_or(0)}};
+  if (o.friction_reference_temperature)
+    law.of.reference = *o.friction_reference_temperature - (si ? *o.bulk_temperature : 0);
+  return law;
+}
+
 /// A validator for the option of this name, with this condition and description of what is allowed.
 template <class Condition>
 CLI::Validator allow(const std::string& name, Condition condition, const std::string& allowed) {
@@ -210,7 +263,7 @@ bool is_si_option(const std::string& name) {
                        [&](const CaseOption& option) { return option.name == "--" + name; });
   };
   return is_in(si_options) || is_in(size_options) || is_in(roller_si_options) ||
-         is_in(roller_diffusivity);
+         is_in(roller_diffusivity) || is_in(bulk_options);
 }
 
 void add_case_options(CLI::App& command, CaseOptions& o) {
@@ -228,6 +281,8 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
   for (const CaseOption& option : si_options) add(option, si);
   for (const CaseOption& option : size_options) add(option, si);
+  for (const CaseOption& option : bulk_options) add(option, si);
+  add_law(command, o);
   const char* roller = "The roller's own data, for --roller conducting";
   for (const CaseOption& option : roller_group_options) add(option, roller);
   for (const CaseOption& option : roller_si_options) add(option, roller);
@@ -241,9 +296,11 @@ Case read_case(const CaseOptions& o) {
   const Approach approach = read_approach(o);
   const Prescribed x = read_given(o);
   const Direction direction = read_direction(o, x);
+  const std::optional<LawOfFriction> law = read_law(o, !given.empty());
   if (given.empty()) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
-    const Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
+    Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
+    if (law) scene.law = *law;
     return {scene, x, approach, {}, {}};
   }
   if (o.peclet || o.heating)
@@ -255,6 +312,8 @@ Case read_case(const CaseOptions& o) {
                    *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
   read_roller(o, si);
   si.direction = direction;
+  si.bulk_temperature = o.bulk_temperature;
+  si.law = law;
   return {{o.friction, 0, 0}, x, approach, si, o.radius};
 }
 

@@ -27,6 +27,8 @@ struct CaseOptions {
   std::string roller = "insulated", direction;
   Maybe conductivity_ratio, heating_2;
   Maybe conductivity_2, expansion_2, diffusivity_2;
+  std::string friction_law = "constant", branch;
+  Maybe friction_temperature, friction_floor, friction_reference_temperature, bulk_temperature;
   std::string method = "auto", formulation = "corrected";
   std::optional<int> nodes;
   Maybe tolerance;

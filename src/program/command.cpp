@@ -279,6 +279,8 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
   thermoroll solve --friction 0.6 --traction -0.5 --peclet 4360 --heating 0.0175 --roller identical
+  thermoroll solve --friction 0.6 --creep 0.5 --peclet 100 --heating 0.0175 \
+    --friction-law linear --friction-temperature 0.02
   thermoroll solve --config wheel.toml --traction 0.4
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
@@ -286,7 +288,13 @@ Methods: auto takes the least of the next three that meets the tolerance; couple
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
 gauss-chebyshev is the published scheme and has no error estimate.
-Temperatures in degree C are rises above ambient. Unless --roller says otherwise, all heat goes into
+With theta the rise above the reference temperature over --friction-temperature, friction is f times
+max(floor, 1 - theta) for the law linear, floor + (1 - floor) exp(-theta) for exponential,
+floor + (1 - floor) / (1 + theta) for rational and 1 + (floor - 1) min(theta, 1) for
+piecewise-linear, whose floor may be above 1; where theta < 0 it is f. For linear a negative
+--friction-temperature makes friction rise.
+Temperatures in degree C are rises above ambient, but contact_temperature_celsius, which is there
+where --bulk-temperature is given. Unless --roller says otherwise, all heat goes into
 one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:

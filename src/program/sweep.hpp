@@ -24,11 +24,10 @@ SweepCount sweep(int file, int jobs, bool progress);
 /// Rows and errors, rows per second, and the most memory that the process had so far.
 std::string summary(const SweepCount& x);
 
-/// The columns of a table: those read, and the names of the fields that a solved row has, with or
-/// without those that insulated rollers do without.
+/// The columns of a table: those read, and the names of the fields that a solved row has.
 struct SweepTable {
   std::vector<std::string> columns, fields;
-  bool with_pair = false;
+  MoreColumns with{};
 };
 
 /// The columns of a table with this header. Throws std::invalid_argument.

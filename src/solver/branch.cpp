@@ -186,18 +186,23 @@ GridSolution settle(const Scene& scene, Formulation formulation, int n, const Pr
 }
 
 void refuse_beyond(const std::vector<CurvePoint>& points, std::size_t highest,
-                   const std::optional<TractionLimit>& limit, Branch branch, double asked) {
+                   const std::optional<TractionLimit>& limit, Branch branch, double asked,
+                   double sign) {
+  const auto must_be = [&](bool allowed, const std::string& range) {
+    require(allowed, "traction", sign * asked, range);
+  };
+  const std::string below = sign > 0 ? "below " : "above ", above = sign > 0 ? "above " : "below ";
+  const std::string at_most = sign > 0 ? "at most " : "at least ";
   if (!limit && branch == Branch::falling)
     throw std::invalid_argument("branch = falling does not exist: the traction has no maximum");
   if (limit)
-    require(asked <= limit->traction, "traction", asked,
-            "at most " + fixed(limit->traction, 6) + ", the largest, at the creep " +
-                fixed(limit->creep, 6));
+    must_be(asked <= limit->traction, at_most + fixed(sign * limit->traction, 6) +
+                                          ", the largest, at the creep " +
+                                          fixed(sign * limit->creep, 6));
   const double most = points[highest].traction(), least = points.back().traction();
-  if (!limit) require(asked < most, "traction", asked, "below " + fixed(most, 4));
+  if (!limit) must_be(asked < most, below + fixed(sign * most, 4));
   if (branch == Branch::falling)
-    require(asked > least, "traction", asked,
-            "above " + fixed(least, 4) + " on the falling branch");
+    must_be(asked > least, above + fixed(sign * least, 4) + " on the falling branch");
 }
 
 }  // namespace
@@ -214,7 +219,7 @@ CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, dou
   std::optional<TractionLimit> limit;
   if (highest + 1 < points.size())
     limit = traction_limit(scene, formulation, tolerance, points[highest]);
-  refuse_beyond(points, highest, limit, branch, asked);
+  refuse_beyond(points, highest, limit, branch, asked, sign_of(scene.direction));
   const auto [a, b] = enclose(curve, points, highest, branch, asked);
   const Prescribed given{traction, asked};
   Results slope = (b.solution.value - a.solution.value) / (b.traction() - a.traction());

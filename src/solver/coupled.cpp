@@ -320,7 +320,12 @@ SmoothTractions smooth_tractions(const CoupledSolution& x, int n) {
   const MatrixXd to_stick = to_legendre(grid.rules.stick);
   const ZoneLengths& at = grid.nodes.zones;
   SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
-  y.pressure = to_legendre(grid.rules.slip) * found.pressure.tail(n).matrix();
+  const MatrixXd to_slip = to_legendre(grid.rules.slip);
+  y.pressure = to_slip * found.pressure.tail(n).matrix();
+  if (!grid.hot) return y;
+  const ArrayXd bound = found.phi * found.pressure;
+  y.bound = to_slip * bound.tail(n).matrix();
+  y.stick_bound = to_stick * bound.head(m).reverse().matrix();
   return y;
 }
 

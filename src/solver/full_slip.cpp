@@ -73,12 +73,16 @@ CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, dou
                 });
 }
 
-void refuse_undetermined_creep(const Scene& scene, Formulation formulation, double asked) {
+void refuse_undetermined_creep(const Scene& scene, Formulation formulation) {
   const GridSolution full = next_to_full_slip(scene, formulation, 40);
-  throw std::invalid_argument("traction = " + shortest(asked) +
-                              " is the friction: the whole contact slips, and the creep is not "
-                              "determined; it is at least " +
-                              fixed(full.value(Quantity::creep), 4));
+  const double sign = sign_of(scene.direction);
+  std::string message =
+      "traction = " + shortest(sign * scene.friction) +
+      " is the friction: the whole contact slips, and the creep is not determined";
+  if (full.newton_steps > 0)
+    message += std::string(sign > 0 ? "; it is at least " : "; it is at most ") +
+               fixed(sign * full.value(Quantity::creep), 4);
+  throw std::invalid_argument(message);
 }
 
 }  // namespace thermoroll
