@@ -2,11 +2,12 @@
 name = 'hot-collapse'
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
-eval range(0, 1.5, 0, 1)
+eval range(0, 1.44, 0, 1)
 eval axes('ξ*/f_0', 'Q*/f_0')
 set xtics 0.5
 set ytics 0.2
 set rmargin at screen 0.86
+set bmargin at screen 0.155
 of(lambda) = column("softening") == lambda ? column("traction") : NaN
 fast(lambda) = column("peclet") == 5e4 ? of(lambda) : NaN
 slow(lambda) = column("peclet") == 1 ? of(lambda) : NaN

@@ -51,14 +51,11 @@ void load_ratio_in_full_slip(std::ostream& out) {
 
 const FigureData full_slip_b_data{"full-slip-b", load_ratio_in_full_slip};
 
-double end_of_stick(double heating, double sign) {
-  double sticks = 0.1, slips = 1;
-  for (int halving = 0; halving < 16; ++halving) {
-    const double middle = (sticks + slips) / 2;
-    const double border = at_creep(heating, sign * middle).value(Quantity::stick_slip_border);
-    (border > -1 ? sticks : slips) = middle;
-  }
-  return slips;
+double end_of_stick(Direction direction) {
+  const Scene scene{paper::friction, 100, 1, {}, direction};
+  const Approach exact{Method::coupled, Formulation::corrected, 0, 1e-5};
+  const Solution x = solve(scene, {Quantity::stick_slip_border, -1 + 1e-6}, exact);
+  return std::abs(x.value(Quantity::creep));
 }
 
 }  // namespace
@@ -68,8 +65,8 @@ void values_on_full_slip(nlohmann::ordered_json& v) {
     return fixed(100 * (1 - load_ratio_at(1, creep, peclet) / fast_gross_sliding(1, creep)), 0);
   };
   v["full_slip_cold"] = fixed(2 * paper::friction / pi, 3);
-  v["full_slip_driving"] = fixed(end_of_stick(1, 1), 3);
-  v["full_slip_braking"] = fixed(end_of_stick(1, -1), 3);
+  v["full_slip_driving"] = fixed(end_of_stick(Direction::driving), 3);
+  v["full_slip_braking"] = fixed(end_of_stick(Direction::braking), 3);
   v["full_slip_above"] = off(4, 100);
   v["full_slip_braked_above"] = off(-4, 100);
   v["full_slip_faster"] = off(4, 1e4);

@@ -22,8 +22,8 @@ Scene softened(double lambda, double peclet, double heating) {
   return scene;
 }
 
-CoupledSolution found(const Scene& scene, const Prescribed& given) {
-  return solve_coupled(scene, Formulation::corrected, 1e-5, given);
+CoupledSolution found(const Scene& scene, const Prescribed& given, double tolerance = 1e-5) {
+  return solve_coupled(scene, Formulation::corrected, tolerance, given);
 }
 
 double traction_at(const Scene& scene, double creep) {
@@ -42,19 +42,19 @@ struct CreepPoint {
 CreepPoint with_one_friction(const CoupledSolution& unit, double lambda) {
   const double root_pe = std::sqrt(unit.scene.peclet);
   const double loss = lambda * root_pe * unit.value(Quantity::max_temperature);
-  const double f = 2 * paper::friction / (1 + std::sqrt(1 + 4 * paper::friction * loss));
+  const double f = 2 * paper::friction / (1 + std::sqrt(1 + 4 * loss));
   return {f * unit.value(Quantity::creep), f * unit.value(Quantity::traction)};
 }
 
 std::vector<CoupledSolution> solutions_with_unit_friction() {
   std::vector<CoupledSolution> list;
-  for (const double root : grid(0.1, 3, 58))
+  for (const double root : grid(0.1, 3.4, 66))
     list.push_back(found({1, 100, 0}, {Quantity::creep, root * root}));
   return list;
 }
 
 CoupledSolution one_of_two(Branch branch) {
-  return found(softened(3, 100, paper::heating), {Quantity::traction, 0.35, branch});
+  return found(softened(3, 100, paper::heating), {Quantity::traction, 0.35, branch}, 1e-8);
 }
 
 void softened_curves(std::ostream& out) {
@@ -103,7 +103,7 @@ template <class AddRow>
 void for_each_state(const AddRow& add_row) {
   const Scene scene = softened(3, 100, paper::heating);
   const CoupledSolution before = one_of_two(Branch::rising), past = one_of_two(Branch::falling);
-  const CoupledSolution at = found(scene, {Quantity::creep, before.limit->creep});
+  const CoupledSolution at = found(scene, {Quantity::creep, before.limit->creep}, 1e-8);
   for (const auto& [state, x] : {std::pair{"before", &before}, {"at", &at}, {"past", &past}}) {
     const Profile along = profile(*x);
     for (Eigen::Index i = 0; i < along.s.size(); ++i) add_row(state, scene, along, i);
@@ -171,13 +171,7 @@ ShortcutErrors errors_of_the_shortcut(const std::vector<CoupledSolution>& units,
 }
 
 double end_of_stick(const Scene& scene) {
-  double sticks = 0.1, slips = 1;
-  for (int halving = 0; halving < 14; ++halving) {
-    const double creep = (sticks + slips) / 2;
-    const CoupledSolution x = found(scene, {Quantity::creep, creep});
-    (x.value(Quantity::stick_slip_border) > -1 ? sticks : slips) = creep;
-  }
-  return slips;
+  return found(scene, {Quantity::stick_slip_border, -1 + 1e-6}).value(Quantity::creep);
 }
 
 }  // namespace
