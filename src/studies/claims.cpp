@@ -295,10 +295,9 @@ Claim claim_on_steps(const std::string& unknown, int most, int found, bool conve
 std::vector<Claim> claims() {
   const std::vector<Case> cases = sixteen_cases();
   Claims all;
-  for (const Claims& some :
-       {on_the_data(), on_the_temperature(), Claims{on_phases()}, on_variation(cases),
-        on_slip(cases), on_deformation(), Claims{on_two_bodies(), on_hot_friction()},
-        on_the_iteration(cases)})
+  for (const Claims& some : {on_the_data(), on_the_temperature(), Claims{on_phases()},
+                             on_variation(cases), on_slip(cases), on_deformation(),
+                             Claims{on_two_bodies(), on_hot_friction()}, on_the_iteration(cases)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

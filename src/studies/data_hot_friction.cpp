@@ -189,8 +189,8 @@ void values_on_hot_friction(nlohmann::ordered_json& v) {
   v["hot_slips"] = fixed(end_of_stick(scene), 3);
   v["hot_tail"] = fixed(20 * traction_at(scene, 20), 3);
   const double scale = scene.friction / (3 * std::sqrt(scene.peclet));
-  v["hot_tail_limit"] = fixed(
-      scene.friction * scale * std::sqrt(16 * scene.peclet / pi) * (1 + 1 / (16 * scene.peclet)), 3);
+  const double far_out = scene.friction * scale * std::sqrt(16 * scene.peclet / pi);
+  v["hot_tail_limit"] = fixed(far_out * (1 + 1 / (16 * scene.peclet)), 3);
   const PhysicalScene steel = wheel_on_rail();
   const Units unit = units_of(steel, paper::friction);
   v["hot_carter_slips"] = fixed(1000 * 2 / pi * paper::friction * unit.slip / steel.speed, 2);

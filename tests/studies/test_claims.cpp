@@ -146,8 +146,9 @@ TEST(Claims, TwoBodiesAreHalfAsHot) {
   EXPECT_EQ(pair->verdict, "holds, computed: half as hot");
 }
 
-// The friction there is 0.6, and Carter's contact slips everywhere at the creep 2 f / pi = 0.382. The
-// hottest point has lost less than half of its friction, so that the contact has more than half left.
+// The friction there is 0.6, and Carter's contact slips everywhere at the creep 2 f / pi = 0.382.
+// The hottest point has lost less than half of its friction, so that the contact has more than half
+// left.
 TEST(Claims, HotFrictionHasALargestTraction) {
   const auto hot = std::find_if(claims().begin(), claims().end(), [](const Claim& c) {
     return c.claim.find("friction may depend on temperature") != std::string::npos;
