@@ -199,6 +199,18 @@ Claim on_two_bodies() {
           fixed(ratio, 3), verdict(std::abs(2 * ratio - 1) < 0.01, "computed: half as hot")};
 }
 
+Claim on_hot_friction() {
+  const PhysicalScene steel = wheel_on_rail();
+  Scene scene = scene_of(steel, paper::friction);
+  scene.law = linear_friction({1600 / units_of(steel, paper::friction).temperature});
+  const TractionLimit top =
+      *solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::traction, 0.1}).limit;
+  const double share = top.traction / paper::friction;
+  return {"friction may depend on temperature: largest Q* at Pe = 4360, none left at 1600 °C",
+          "possible", "–", fixed(top.traction, 3) + " at the creep " + fixed(top.creep, 3),
+          verdict(share > 0.5 && share < 0.99, "computed: " + fixed(100 * share, 0) + " % of f")};
+}
+
 /// Count a run of scene x; returns the error of its T*max in per cent.
 double count(Record& record, const Case& x, const PublishedSolution& run) {
   record.outer = std::max(record.outer, run.outer_iterations);
@@ -283,9 +295,9 @@ Claim claim_on_steps(const std::string& unknown, int most, int found, bool conve
 std::vector<Claim> claims() {
   const std::vector<Case> cases = sixteen_cases();
   Claims all;
-  for (const Claims& some :
-       {on_the_data(), on_the_temperature(), Claims{on_phases()}, on_variation(cases),
-        on_slip(cases), on_deformation(), Claims{on_two_bodies()}, on_the_iteration(cases)})
+  for (const Claims& some : {on_the_data(), on_the_temperature(), Claims{on_phases()},
+                             on_variation(cases), on_slip(cases), on_deformation(),
+                             Claims{on_two_bodies(), on_hot_friction()}, on_the_iteration(cases)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }
