@@ -88,8 +88,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
     if (tried.newton_steps > 0) {
       level = tried;
       slope = better;
-    } else if (level.newton_steps == 0 && slips_everywhere(scene, formulation, n, given)) {
-      return level;
+    } else if (slips_everywhere(scene, formulation, n, given)) {
+      return {};
     }
   }
   if (level.newton_steps == 0)

@@ -16,7 +16,7 @@ namespace {
 /// Refuse, by std::invalid_argument, a creep without a contact, naming the creep where that ends.
 [[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation,
                                          double creep) {
-  constexpr int n = 40;
+  constexpr int n = 80;
   GridSolution last = next_to_full_slip(scene, formulation, n);
   if (last.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found in full slip at the creep " +

@@ -382,10 +382,10 @@ TEST(Solution, PeaksAreTheHighestOfManyTops) {
 // Of the grids that are looked at the finest counts, which is 480 at the most; but a lesser model
 // keeps its own peaks.
 TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
-  const Driven scene{0.6, 0.3, 1000, 1};
   int finest = 0;
   for (const Method method : {Method::coupled, Method::first_order})
     for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
+      const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 1 : 0.1};
       const Solution x = solve(scene, {method, Formulation::printed, 200, tolerance});
       const auto& found = std::get<CoupledSolution>(x.found);
       int n = found.unknowns;
