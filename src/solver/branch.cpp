@@ -98,8 +98,9 @@ std::size_t add_highest(const Curve& curve, std::vector<CurvePoint>& points) {
   gsl_min_fminimizer_free(brent);
   const CurvePoint highest{rho, curve.at(rho, best->solution)};
   if (highest.traction() <= best->traction()) return index;
-  points.insert(rho < best->rho ? best : best + 1, highest);
-  return rho < best->rho ? index : index + 1;
+  const bool before = rho < best->rho;
+  points.insert(before ? best : best + 1, highest);
+  return before ? index : index + 1;
 }
 
 struct Extremum {

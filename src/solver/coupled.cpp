@@ -117,10 +117,12 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const Results moved = (value - before.value).abs().max((value - level.value).abs());
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
-  const Results change = (moved / scale).max((slow ? 0.004 : 0.02) * before.change);
-  const double error =
-      estimate(change, tail(level.h), tail(last.h), n, slow) + rounding(given, slope, scale);
-  return {value, change, error};
+  const bool bent = scene.law && n > 40 && tail(level.h) > 1e-6;
+  const double remembered = bent ? 0.2 : slow ? 0.004 : 0.02;
+  const Results change = (moved / scale).max(remembered * before.change);
+  const double left = bent ? 2 * change.head(compared).maxCoeff()
+                           : estimate(change, tail(level.h), tail(last.h), n, slow);
+  return {value, change, left + rounding(given, slope, scale)};
 }
 
 CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
