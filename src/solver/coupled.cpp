@@ -132,6 +132,8 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
                     level.h, level.violations, trace};
   x.error(max_temperature_at) = level.at.slip * std::sqrt(found.error);
+  if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
+  if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);
   return x;
 }

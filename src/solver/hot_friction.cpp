@@ -90,9 +90,8 @@ HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& ru
   const ArrayXd weight = measure(z, rules.slip);
   ArrayXd arm = z.s + z.zones.slip / 2;  // t + b0
   if (z.zones.stick == 0) arm.setOnes();
-  return {temperature_matrix(scene, z, rules.graded, terms),
-          lost_friction_matrix(z, weight), derivative_at_node(z, rules.slip, weight), weight,
-          arm * weight};
+  return {temperature_matrix(scene, z, rules.graded, terms), lost_friction_matrix(z, weight),
+          derivative_at_node(z, rules.slip, weight), weight, arm * weight};
 }
 
 }  // namespace thermoroll
