@@ -11,6 +11,7 @@
 
 #include "reference.hpp"
 #include "solver/gauss_legendre.hpp"
+#include "solver/grid_solution.hpp"
 #include "solver/hot_friction.hpp"
 #include "solver/surface.hpp"
 #include "thermoroll/coupled.hpp"
@@ -29,6 +30,7 @@ using thermoroll::Direction;
 using thermoroll::exponential_friction;
 using thermoroll::Formulation;
 using thermoroll::FrictionLaw;
+using thermoroll::GridSolution;
 using thermoroll::linear_friction;
 using thermoroll::piecewise_linear_friction;
 using thermoroll::Prescribed;
@@ -37,6 +39,7 @@ using thermoroll::rational_friction;
 using thermoroll::RelativeFriction;
 using thermoroll::Roller;
 using thermoroll::Scene;
+using thermoroll::solve_on_grid;
 
 constexpr double friction = 0.6;
 
@@ -382,6 +385,44 @@ TEST(HotFriction, SteepLawsAreReached) {
       last = x.value(Quantity::traction);
     }
   }
+}
+
+// Laws with a kink inside the slip zone, from the reference temperature or the floor: no solution
+// is further from a finer one than its error says, and its error at most the tolerance. The finer
+// one, of 360 unknowns, is off by less than a tenth of that, as the order is two.
+TEST(HotFriction, KinkedLawsAreWithinTheirErrors) {
+  struct Row {
+    double peclet, c0;
+    FrictionLaw law;
+  };
+  for (const auto& [peclet, c0, law] :
+       {Row{100, -0.1845, piecewise_linear_friction({0.005, 0.3, 0.004})},
+        Row{46.6, 0.8, piecewise_linear_friction({0.0011, 0.75})},
+        Row{35.6, -0.35, piecewise_linear_friction({0.019, 0.75, 0.0095})},
+        Row{139, -0.87, linear_friction({0.012, 0.5})},
+        Row{1600, 0.3, piecewise_linear_friction({0.0024, 1.4, 0.0012})},
+        Row{136, -0.23, linear_friction({0.015, 0.4, 0.007})}}) {
+    const Scene scene = hot(peclet, 0.0175, law);
+    const CoupledSolution x = at_border(scene, c0, 1e-3);
+    EXPECT_TRUE(x.violations.empty()) << peclet;
+    EXPECT_LE(x.unknowns, 240) << peclet;
+    GridSolution finer;
+    for (const int n : {60, 120, 360})
+      finer = solve_on_grid(scene, Formulation::corrected, n, {1 - c0, 1 + c0}, finer);
+    ASSERT_GT(finer.newton_steps, 0) << peclet;
+    for (int i = 0; i < thermoroll::compared; ++i)
+      EXPECT_LE(std::abs(x.value[i] - finer.value[i]), x.error[i]) << peclet << ' ' << i;
+  }
+  // The order, by the changes of the traction: a quarter, but not of one sign; from three
+  // doublings.
+  const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.005, 0.3, 0.004}));
+  std::vector<double> traction;
+  GridSolution level;
+  for (const int n : {15, 30, 60, 120, 240, 480}) {
+    level = solve_on_grid(scene, Formulation::corrected, n, {1.1845, 0.8155}, level);
+    traction.push_back(level.value(Quantity::traction));
+  }
+  EXPECT_LT(std::abs(traction[5] - traction[4]), std::abs(traction[2] - traction[1]) / 30);
 }
 
 // Friction that is lost altogether at T0*: at large creep all the contact is as hot, and heat and
