@@ -67,7 +67,8 @@ constexpr CaseOption law_options[] = {
      &CaseOptions::friction_reference_temperature}};
 
 constexpr CaseOption bulk_options[] = {
-    {"--bulk-temperature", "degree C", "with SI data: that of both bodies far away; none is assumed",
+    {"--bulk-temperature", "degree C",
+     "with SI data: that of both bodies far away; none is assumed",
      &CaseOptions::bulk_temperature}};
 
 constexpr CaseOption given_options[] = {
