@@ -58,7 +58,7 @@ constexpr CaseOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
 
 constexpr CaseOption law_options[] = {
     {"--friction-temperature", "NUMBER",
-     "T0*, the rise that changes friction by f, or in K with SI data; below 0 friction rises",
+     "T0*, the scale of the law, or in K with SI data; for linear below 0 where friction rises",
      &CaseOptions::friction_temperature},
     {"--friction-floor", "NUMBER", "least friction over f, 0 unless given (piecewise-linear: last)",
      &CaseOptions::friction_floor},
@@ -66,9 +66,10 @@ constexpr CaseOption law_options[] = {
      "up to where friction is f: T* over the bulk, or degree C with SI data; the bulk if not given",
      &CaseOptions::friction_reference_temperature}};
 
-constexpr CaseOption bulk_options[] = {{"--bulk-temperature", "degree C",
-                                        "of both bodies far away; nothing else is absolute",
-                                        &CaseOptions::bulk_temperature}};
+constexpr CaseOption bulk_options[] = {
+    {"--bulk-temperature", "degree C",
+     "with SI data: that of both bodies far away; none is assumed",
+     &CaseOptions::bulk_temperature}};
 
 constexpr CaseOption given_options[] = {
     {"--traction", "NUMBER", "traction Q* = Q/P, between -f and f; negative for braking",
@@ -118,6 +119,7 @@ void add_law(CLI::App& command, CaseOptions& o) {
   const char* group = "Friction that depends on temperature (see the examples)";
   add_word(command, "friction-law", o.friction_law, law_names, "constant unless given", group);
   for (const CaseOption& option : law_options) declare(command, o, option, group);
+  for (const CaseOption& option : bulk_options) declare(command, o, option, group);
   add_word(command, "branch", o.branch, branch_names,
            "of the two solutions at one traction, rising unless given", group);
 }
@@ -281,7 +283,6 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
   for (const CaseOption& option : si_options) add(option, si);
   for (const CaseOption& option : size_options) add(option, si);
-  for (const CaseOption& option : bulk_options) add(option, si);
   add_law(command, o);
   const char* roller = "The roller's own data, for --roller conducting";
   for (const CaseOption& option : roller_group_options) add(option, roller);

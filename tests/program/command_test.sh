@@ -1012,7 +1012,7 @@ OutputFileIsReplacedAsAWhole() {
   [ $status -eq 0 ] && [ ! -s out ] && [ ! -s err ] || fail "status $status: $(cat out err)"
   cmp file expected || fail "another answer in the file"
   [ -L link ] || fail "the link was replaced"
-  refuses 2 "is not allowed" solve --friction 0.6 --traction 0.6 --peclet 1 --output file
+  refuses 2 "is not allowed" solve --friction 0.6 --traction 0.7 --peclet 1 --output file
   cmp file expected || fail "a refusal changed the file"
   run solve "${paper_case[@]}" --format json --output /dev/stdout
   cmp out expected || fail "not written to a device"

@@ -165,7 +165,7 @@ BadRowsGiveTheirError() {
   bad '0.6,0.5,100,-1,,,' 2 "heating = -1 is not allowed: it must be zero or positive"
   bad '0.6,0.5,100,0,best,,' 2 "method = best is not allowed: it must be auto or closed-form or first-order or coupled or gauss-chebyshev"
   bad '0.6,0.5,100,0,,2.5,' 2 "nodes = 2.5 is not allowed: it must be a whole number"
-  bad '0.6,,100,0,,,0.5' 2 "creep = 0.5 is not allowed: it must be below 0.38"
+  bad '0.6,,100,0,closed-form,,0.5' 2 "creep = 0.5 is not allowed: it must be below 2 f / pi"
   bad '0.6,0.5,100,1e6,,,' 1 "coupled: no solution found near the border"
   bad '0.6,0.5,100,4,gauss-chebyshev,20,' 3 "the iteration did not converge; what is written is its last iterate"
   bad '0.6,0.5,1e200,1e200,gauss-chebyshev,20,' 3 "no finite result"

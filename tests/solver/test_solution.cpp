@@ -447,9 +447,10 @@ TEST(Solution, PeaksAndLoadsWithALawOfFriction) {
     const double missed = 50 * std::pow(pi / (2 * n), 2);
     const Profile y = profile(x);
     const FoundPeaks peak = peaks(x);
-    const auto expect_top = [&](const Eigen::ArrayXd& curve, double Peaks::*which) {
-      EXPECT_LE(curve.maxCoeff(), peak.value.*which + *peak.error.*which) << given.value;
-      EXPECT_GE(curve.maxCoeff(), peak.value.*which * (1 - missed)) << given.value;
+    const auto expect_top = [&, value = given.value](const Eigen::ArrayXd& curve,
+                                                     double Peaks::*which) {
+      EXPECT_LE(curve.maxCoeff(), peak.value.*which + *peak.error.*which) << value;
+      EXPECT_GE(curve.maxCoeff(), peak.value.*which * (1 - missed)) << value;
     };
     expect_top(y.pressure, &Peaks::pressure);
     expect_top(y.traction, &Peaks::traction);
