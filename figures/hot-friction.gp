@@ -9,7 +9,7 @@ set ytics 0.1
 set rmargin at screen 0.86
 of(kind, lambda) = row("kind", kind, "softening", lambda, column("traction"))
 set label '{/:Italic Λ} = 0' at graph 1.02, first 0.6
-set label '0.5' at graph 1.02, first 0.425
+set label '0.5' at graph 1.02, first 0.45
 set label '1' at graph 1.02, first 0.355
 set label '3' at graph 1.02, first 0.2
 set label '6' at graph 1.02, first 0.12
