@@ -87,11 +87,14 @@ MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegen
 }
 
 HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& rules, Index terms) {
+  const double more = 8 + 5 * decades_beyond(scene.peclet * z.zones.slip);
+  const auto nodes = static_cast<int>(static_cast<double>(rules.graded.x.size()) + more);
   const ArrayXd weight = measure(z, rules.slip);
   ArrayXd arm = z.s + z.zones.slip / 2;  // t + b0
   if (z.zones.stick == 0) arm.setOnes();
-  return {temperature_matrix(scene, z, rules.graded, terms), lost_friction_matrix(z, weight),
-          derivative_at_node(z, rules.slip, weight), weight, arm * weight};
+  return {temperature_matrix(scene, z, rounded_up(4, nodes), terms),
+          lost_friction_matrix(z, weight), derivative_at_node(z, rules.slip, weight), weight,
+          arm * weight};
 }
 
 }  // namespace thermoroll
