@@ -42,7 +42,6 @@ inline int temperature_nodes(int n, double lambda) {
   return std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24;
 }
 
-
 /// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which strong heating
 /// needs as fine as h, and of those for temperatures.
 struct GridRules {
