@@ -218,7 +218,8 @@ TEST(HotFriction, TemperatureIsItsIntegral) {
     for (const double peclet : {0.5, 100.0}) {
       const Grid grid(c0, peclet, n);
       VectorXd h(n);
-      for (Index l = 0; l < n; ++l) h(l) = std::exp(-static_cast<double>(l)) * (l % 3 - 0.7);
+      for (Index l = 0; l < n; ++l)
+        h(l) = std::exp(-static_cast<double>(l)) * (static_cast<double>(l % 3) - 0.7);
       CoupledSolution x{};
       x.h = h;
       x.value(Quantity::stick_slip_border) = c0;
