@@ -139,11 +139,6 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   return x;
 }
 
-bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x.what == y.what; });
-}
-
 GridStep step_of(const GridSolution& level) {
   GridStep step{static_cast<int>(level.h.size()), level.at.c0(), level.newton_steps, {}, {}, {}};
   if (level.newton_steps > 0) step.tail = tail(level.h);
