@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "program/case_options.hpp"
 #include "program/format.hpp"
+#include "program/scene_options.hpp"
 
 namespace thermoroll {
 
@@ -37,8 +37,8 @@ SweepTable table_of(const std::string& header);
 std::vector<std::string> cells_of(const std::string& line);
 
 /// What the cells of a row say. Throws std::invalid_argument.
-CaseOptions read_row(const std::vector<std::string>& columns,
-                     const std::vector<std::string>& cells);
+SceneOptions read_row(const std::vector<std::string>& columns,
+                      const std::vector<std::string>& cells);
 
 /// A row of results and whether it is without an error.
 struct SweepRow {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/friction_law.hpp"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/solution.hpp"
 

@@ -191,7 +191,7 @@ TEST(Solution, NoHalfWidthWithoutALoadRatio) {
 
 // The closed form for the border or the creep that belongs to a traction, against its formulas in
 // long double: the errors are within what is claimed, and what is given is repeated as it is.
-TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
+TEST(Solution, GivenCreepOrBorderIsTheSameScene) {
   for (const Driven& scene : random_scenes(40)) {
     const Solution x = solve(scene, closed_form);
     const long double long_pi = std::acos(-1.0L), f = scene.friction;

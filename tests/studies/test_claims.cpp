@@ -12,7 +12,7 @@
 #include "reference.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/published_scheme.hpp"
 #include "thermoroll/temperature.hpp"
