@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md, paper/23-unlike-bodies.md; edit there.
 #include "thermoroll/scene.hpp"
 
 #include <cmath>
@@ -55,6 +55,7 @@ void check(const Scene& scene) {
   require(roller.conductivity_ratio >= 0, "conductivity-ratio", roller.conductivity_ratio,
           "zero or positive");
   require(roller.heating >= 0, "heating-2", roller.heating, "zero or positive");
+  require(roller.peclet >= 0, "peclet-2", roller.peclet, "zero or positive");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
 }
 
@@ -82,12 +83,29 @@ double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivit
 
 double heating_of_both(const Scene& scene) {
   const Roller& roller = scene.roller;
-  return heat_share(scene) * (scene.heating + roller.conductivity_ratio * roller.heating);
+  const double other = roller.conductivity_ratio * roller.heating * peclet_ratio(scene);
+  return heat_share(scene) * (scene.heating + other);
 }
 
 double strain_share(const Scene& scene) {
-  const double own = scene.heating, other = scene.roller.conductivity_ratio * scene.roller.heating;
+  const Roller& roller = scene.roller;
+  const double own = scene.heating;
+  const double other = roller.conductivity_ratio * roller.heating * peclet_ratio(scene);
   return own + other > 0 ? sign_of(scene.direction) * (own - other) / (own + other) : 0;
+}
+
+double peclet_2(const Scene& scene) {
+  return scene.roller.peclet > 0 ? scene.roller.peclet : scene.peclet;
+}
+
+double peclet_ratio(const Scene& scene) { return peclet_2(scene) / scene.peclet; }
+
+bool is_unlike(const Scene& scene) {
+  return scene.roller.conductivity_ratio > 0 && peclet_ratio(scene) != 1;
+}
+
+double effusivity_share(const Scene& scene) {
+  return 1 / (1 + scene.roller.conductivity_ratio * std::sqrt(peclet_ratio(scene)));
 }
 
 }  // namespace thermoroll

@@ -296,11 +296,12 @@ Profile profile(const CoupledSolution& x) {
   profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.rules.slip.p * x.h).array();
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
   if (at.phi.size() > 0) profile.slip.tail(n) /= at.phi.tail(n);
+  const Conduction conduction(x.scene);
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
     profile.temperature(i) =
-        temperature_and_slope(slip, x.scene.peclet, x.h, left, 2 - left, gap, grid.rules.fine)
+        temperature_and_slope(slip, conduction, x.h, left, 2 - left, gap, grid.rules.fine)
             .value;
   }
   profile.temperature *= heat_share(x.scene);

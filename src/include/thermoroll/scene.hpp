@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md, paper/23-unlike-bodies.md; edit there.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@ namespace thermoroll {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// The cylinder as a conductor, of the same diffusivity as the half-space.
+/// The cylinder as a conductor.
 struct Roller {
   double conductivity_ratio = 0;  ///< K2 / K1 >= 0; 0 for an insulator
-  double heating = 0;             ///< H2 = 2 alpha2 (1+nu) k P / (a K2) >= 0
+  double heating = 0;             ///< H2 = 2 alpha2 (1+nu) k2 P / (a K2) >= 0
+  double peclet = 0;              ///< Pe2 = V a / 2 k2 > 0; 0 for that of the half-space
 };
 
 /// Whether the friction on the half-space acts along +x, as a driven cylinder's does, or against.
@@ -42,6 +43,17 @@ double strain_share(const Scene& scene);
 
 /// 1 for driving, -1 for braking.
 constexpr double sign_of(Direction direction) { return direction == Direction::driving ? 1 : -1; }
+
+/// Pe2, and Pe2 / Pe1 = k1 / k2; 1 where both bodies have one diffusivity.
+double peclet_2(const Scene& scene);
+double peclet_ratio(const Scene& scene);
+
+/// Whether the cylinder conducts, with a diffusivity of its own.
+bool is_unlike(const Scene& scene);
+
+/// The share of the total heat that flows into the half-space, e1 / (e1 + e2), @eq:total-share;
+/// exact where nothing of it crosses at the leading edge.
+double effusivity_share(const Scene& scene);
 
 /// A rolling contact in SI units (@tbl:steel). All fields positive, but the expansions,
 /// poisson and conductivity_2 may be zero; poisson below 1/2.
