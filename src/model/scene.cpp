@@ -12,14 +12,16 @@ PhysicalScene wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5
 
 Scene scene_of(const PhysicalScene& si, double friction) {
   const double peclet = si.speed * si.half_width / (2 * si.diffusivity);
-  const auto heating = [&](double expansion, double conductivity) {
-    return 2 * expansion * (1 + si.poisson) * si.diffusivity * si.load /
+  const auto heating = [&](double expansion, double diffusivity, double conductivity) {
+    return 2 * expansion * (1 + si.poisson) * diffusivity * si.load /
            (si.half_width * conductivity);
   };
-  Scene scene{friction, peclet, heating(si.expansion, si.conductivity)};
+  Scene scene{friction, peclet, heating(si.expansion, si.diffusivity, si.conductivity)};
+  const double other = si.diffusivity_2 > 0 ? si.diffusivity_2 : si.diffusivity;
   if (si.conductivity_2 > 0)
     scene.roller = {si.conductivity_2 / si.conductivity,
-                    heating(si.expansion_2, si.conductivity_2)};
+                    heating(si.expansion_2, other, si.conductivity_2),
+                    other == si.diffusivity ? 0 : si.speed * si.half_width / (2 * other)};
   scene.direction = si.direction;
   const double unit = units_of(si, friction).temperature;
   if (si.law) {
@@ -69,6 +71,7 @@ void check_but_half_width(const PhysicalScene& si) {
   require(si.conductivity > 0, "conductivity", si.conductivity, "positive");
   require(si.expansion_2 >= 0, "expansion-2", si.expansion_2, "zero or positive");
   require(si.conductivity_2 >= 0, "conductivity-2", si.conductivity_2, "zero or positive");
+  require(si.diffusivity_2 >= 0, "diffusivity-2", si.diffusivity_2, "zero or positive");
   const double bulk = si.bulk_temperature.value_or(0);
   require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
   if (si.law) check(*si.law);
@@ -104,8 +107,10 @@ bool is_unlike(const Scene& scene) {
   return scene.roller.conductivity_ratio > 0 && peclet_ratio(scene) != 1;
 }
 
-double effusivity_share(const Scene& scene) {
-  return 1 / (1 + scene.roller.conductivity_ratio * std::sqrt(peclet_ratio(scene)));
+double effusivity_ratio(const Scene& scene) {
+  return scene.roller.conductivity_ratio * std::sqrt(peclet_ratio(scene));
 }
+
+double effusivity_share(const Scene& scene) { return 1 / (1 + effusivity_ratio(scene)); }
 
 }  // namespace thermoroll

@@ -229,6 +229,9 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
   if (scene.law)
     return {Model::coupled, "friction depends on temperature",
             solve_coupled(scene, formulation, tolerance, given)};
+  if (is_unlike(scene))
+    return {Model::coupled, "the bodies have unlike diffusivities",
+            solve_coupled(scene, formulation, tolerance, given)};
   if (!sticks_without_heat(scene.friction, given))
     return {Model::coupled, "without heat nothing would stick",
             solve_coupled(scene, formulation, tolerance, given)};

@@ -28,9 +28,10 @@ Number crossing(const Scene& scene, const Number& a, const Number& b) {
   return 2 * k * (scene.peclet - peclet_2(scene)) / ((a + b) * (a + k * b));
 }
 
-/// At the place u of the exponential exp(-u z): of the slope, the strain and the temperature.
+/// At the place u of the exponential exp(-u z): of the slope, the strain, the temperature, and the
+/// share of the heat that crosses farther ahead than z.
 struct Density {
-  double slope, strain, temperature;
+  double slope, strain, temperature, ahead;
 };
 
 Density upstream(const Scene& scene, double u) {
@@ -40,7 +41,7 @@ Density upstream(const Scene& scene, double u) {
   const double h1 = scene.heating, h2 = scene.roller.heating;
   return {imag(delta * (h1 * (1.0 + i * a1) - h2 * (1.0 + i * a2))) / pi,
           imag(delta * (h1 * a1 + h2 * a2)) - real(delta) * (h1 + h2),
-          imag(delta / (std::sqrt(u) * a))};
+          imag(delta / (std::sqrt(u) * a)), imag(delta) / (pi * u)};
 }
 
 Density downstream(const Scene& scene, double u) {
@@ -49,7 +50,7 @@ Density downstream(const Scene& scene, double u) {
   const auto strain = [&](double peclet, double of) { return 2 * peclet / (of * (of + root)); };
   const double h1 = scene.heating, h2 = scene.roller.heating;
   return {0, delta * (h1 * strain(scene.peclet, a) + h2 * strain(peclet_2(scene), b)),
-          delta / (root * a)};
+          delta / (root * a), 0};
 }
 
 /// Add panels from a place where a density is as a square root, to another; the first is so long.
@@ -69,14 +70,17 @@ void add_panels(Exponentials& sum, double from, double to, double first) {
   }
 }
 
-Exponentials upstream_exponentials(double low, double high) {
-  const double nearest = std::min(low, high - low) / 2, middle = (low + high) / 2;
+/// From the lower and the higher 2 Pe and the conductivity of the faster body over the slower's.
+Exponentials upstream_exponentials(double low, double high, double ratio) {
+  const double apart = high - low, middle = (low + high) / 2, square = ratio * ratio;
+  const double at_low = std::max(std::min({low, apart, square * apart}) / 2, 1e-9 * low);
+  const double at_high = std::max(std::min({low, apart, apart / square}) / 2, 1e-9 * low);
   Exponentials sum;
   add_panels(sum, 0, low / 2, low * 0x1p-20);
-  add_panels(sum, low, low / 2, nearest);
-  add_panels(sum, low, middle, nearest);
-  add_panels(sum, high, middle, nearest);
-  add_panels(sum, high, high * 0x1p45, nearest);
+  add_panels(sum, low, low / 2, at_low);
+  add_panels(sum, low, middle, at_low);
+  add_panels(sum, high, middle, at_high);
+  add_panels(sum, high, high * 0x1p45, at_high);
   return sum;
 }
 
@@ -88,24 +92,26 @@ Exponentials downstream_exponentials(double low, double high) {
 
 template <class Function>
 Densities densities(const Exponentials& of, const Function& density) {
-  Densities all(3, static_cast<Eigen::Index>(of.u.size()));
+  Densities all(4, static_cast<Eigen::Index>(of.u.size()));
   for (std::size_t i = 0; i < of.u.size(); ++i) {
     const Density at = density(of.u[i]);
-    all.col(static_cast<Eigen::Index>(i)) << at.slope, at.strain, at.temperature;
+    all.col(static_cast<Eigen::Index>(i)) << at.slope, at.strain, at.temperature, at.ahead;
     all.col(static_cast<Eigen::Index>(i)) *= of.w[i];
   }
   return all;
 }
 
+Eigen::Vector4d sum(const Exponentials& of, const Densities& density, double z) {
+  const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
+  return density * (-z * u).exp().matrix();
+}
+
 }  // namespace
 
 Remainders all_exponentials(const PairTable& table, double z) {
-  const auto sum = [&](const Exponentials& of, const auto& density) -> Eigen::Vector3d {
-    const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
-    return density * (-z * u).exp().matrix();
-  };
   Remainders r;
-  r << sum(table.up, table.up_density), sum(table.down, table.down_density).tail<2>();
+  r << sum(table.up, table.up_density, z).head<3>(),
+      sum(table.down, table.down_density, z).segment<2>(1);
   return r;
 }
 
@@ -158,12 +164,17 @@ PairTable::PairTable(const Scene& pair)
       slope_2(pair.roller.conductivity_ratio * other_peclet * pair.roller.heating) {
   const double low = 2 * std::min(pair.peclet, peclet_2(pair));
   const double high = 2 * std::max(pair.peclet, peclet_2(pair));
-  up = upstream_exponentials(low, high);
+  const double k = pair.roller.conductivity_ratio;
+  up = upstream_exponentials(low, high, peclet < other_peclet ? k : 1 / k);
   down = downstream_exponentials(low, high);
   up_density = densities(up, [&](double u) { return upstream(pair, u); });
   down_density = densities(down, [&](double u) { return downstream(pair, u); });
   first = cell_of(0x1p-44 / high).number;
   for (int cell = first; cell < cell_of(8).number; ++cell) add_cell(*this, cell);
+}
+
+double farther_ahead(const PairTable& table, double z) {
+  return sum(table.up, table.up_density, z)(3);
 }
 
 }  // namespace thermoroll

@@ -97,12 +97,14 @@ void check_tolerance(double tolerance) {
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
 }
 
-void check_law(const Scene& scene, const Prescribed& given, Method method) {
-  const bool constant = method == Method::closed_form || method == Method::first_order ||
+void check_method(const Scene& scene, const Prescribed& given, Method method) {
+  const bool lesser = method == Method::closed_form || method == Method::first_order ||
                         method == Method::gauss_chebyshev;
-  if (scene.law && constant)
+  if (scene.law && lesser)
     throw std::invalid_argument(
         "friction that depends on temperature needs the method coupled or auto");
+  if (is_unlike(scene) && lesser)
+    throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
   if (!scene.law && given.branch == Branch::falling)
     throw std::invalid_argument("branch = falling is not allowed: friction is constant");
 }
@@ -325,7 +327,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
 Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
   check(scene);
   check_with_sign(scene, given);
-  check_law(scene, given, approach.method);
+  check_method(scene, given, approach.method);
   if (approach.method != Method::closed_form && approach.method != Method::gauss_chebyshev)
     check_tolerance(approach.tolerance);
   const Scene turned = directed(scene, given);

@@ -51,12 +51,13 @@ double peclet_ratio(const Scene& scene);
 /// Whether the cylinder conducts, with a diffusivity of its own.
 bool is_unlike(const Scene& scene);
 
-/// The share of the total heat that flows into the half-space, e1 / (e1 + e2), @eq:total-share;
-/// exact where nothing of it crosses at the leading edge.
+/// e2 / e1 of the effusivities e = K / sqrt(k), and the share of the total heat that flows into the
+/// half-space, e1 / (e1 + e2), @eq:total-share.
+double effusivity_ratio(const Scene& scene);
 double effusivity_share(const Scene& scene);
 
 /// A rolling contact in SI units (@tbl:steel). All fields positive, but the expansions,
-/// poisson and conductivity_2 may be zero; poisson below 1/2.
+/// poisson, conductivity_2 and diffusivity_2 may be zero; poisson below 1/2.
 struct PhysicalScene {
   double load;                ///< P, load per unit length, N/m
   double speed;               ///< V, rolling speed, m/s
@@ -68,6 +69,7 @@ struct PhysicalScene {
   double conductivity;        ///< K, thermal conductivity of the half-space, W/(m degree C)
   double expansion_2 = 0;     ///< that of the cylinder, 1/degree C
   double conductivity_2 = 0;  ///< that of the cylinder, W/(m degree C); 0 for an insulator
+  double diffusivity_2 = 0;   ///< that of the cylinder, m^2/s; 0 for that of the half-space
   Direction direction = Direction::driving;
   std::optional<double> bulk_temperature{};  ///< of both bodies far away, degree C
   std::optional<LawOfFriction> law{};        ///< of friction by the rise over it, degree C
