@@ -12,9 +12,16 @@ PhysicalScene wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5
 
 Scene scene_of(const PhysicalScene& si, double friction) {
   const double peclet = si.speed * si.half_width / (2 * si.diffusivity);
-  const double heating = 2 * si.expansion * (1 + si.poisson) * si.diffusivity * si.load /
-                         (si.half_width * si.conductivity);
-  return {friction, peclet, heating};
+  const auto heating = [&](double expansion, double conductivity) {
+    return 2 * expansion * (1 + si.poisson) * si.diffusivity * si.load /
+           (si.half_width * conductivity);
+  };
+  Scene scene{friction, peclet, heating(si.expansion, si.conductivity)};
+  if (si.conductivity_2 > 0)
+    scene.roller = {si.conductivity_2 / si.conductivity,
+                    heating(si.expansion_2, si.conductivity_2)};
+  scene.direction = si.direction;
+  return scene;
 }
 
 double hertz_half_width(double load, double radius, double shear_modulus, double poisson) {
@@ -53,6 +60,8 @@ void check_but_half_width(const PhysicalScene& si) {
   require(si.expansion >= 0, "expansion", si.expansion, "zero or positive");
   require(si.diffusivity > 0, "diffusivity", si.diffusivity, "positive");
   require(si.conductivity > 0, "conductivity", si.conductivity, "positive");
+  require(si.expansion_2 >= 0, "expansion-2", si.expansion_2, "zero or positive");
+  require(si.conductivity_2 >= 0, "conductivity-2", si.conductivity_2, "zero or positive");
 }
 
 void check(const PhysicalScene& si) {
@@ -63,15 +72,13 @@ void check(const PhysicalScene& si) {
 double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }
 
 double heating_of_both(const Scene& scene) {
-  const double share = heat_share(scene);
-  return share * scene.heating + (1 - share) * scene.roller.heating;
+  const Roller& roller = scene.roller;
+  return heat_share(scene) * (scene.heating + roller.conductivity_ratio * roller.heating);
 }
 
 double strain_share(const Scene& scene) {
-  const double share = heat_share(scene), both = heating_of_both(scene);
-  if (both == 0) return 0;
-  const double difference = share * scene.heating - (1 - share) * scene.roller.heating;
-  return sign_of(scene.direction) * difference / both;
+  const double own = scene.heating, other = scene.roller.conductivity_ratio * scene.roller.heating;
+  return own + other > 0 ? sign_of(scene.direction) * (own - other) / (own + other) : 0;
 }
 
 }  // namespace thermoroll

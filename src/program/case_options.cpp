@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "program/names.hpp"
+#include "support/number_text.hpp"
 
 namespace thermoroll {
 namespace {
@@ -39,9 +40,26 @@ constexpr CaseOption size_options[] = {
     {"--radius", "m", "radius R of the cylinder: half-width follows, with kappa, for this load",
      &CaseOptions::radius}};
 
+constexpr CaseOption roller_group_options[] = {
+    {"--conductivity-ratio", "NUMBER", "K2 / K1, the roller's conductivity over the half-space's",
+     &CaseOptions::conductivity_ratio},
+    {"--heating-2", "NUMBER", "heating H2 = 2 alpha2 (1+nu) k P / (a K2)",
+     &CaseOptions::heating_2}};
+
+constexpr CaseOption roller_si_options[] = {
+    {"--conductivity-2", "W/(m K)", "or, in SI units, its conductivity",
+     &CaseOptions::conductivity_2},
+    {"--expansion-2", "1/K", "its thermal expansion", &CaseOptions::expansion_2}};
+
+constexpr CaseOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
+                                              "its diffusivity, equal to --diffusivity, as if not "
+                                              "given",
+                                              &CaseOptions::diffusivity_2}};
+
 constexpr CaseOption given_options[] = {
-    {"--traction", "NUMBER", "traction Q* = Q/P, above 0 and below f", &CaseOptions::traction},
-    {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), positive",
+    {"--traction", "NUMBER", "traction Q* = Q/P, between -f and f; negative for braking",
+     &CaseOptions::traction},
+    {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), of the same sign",
      &CaseOptions::creep},
     {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
      &CaseOptions::border}};
@@ -53,22 +71,33 @@ void declare(CLI::App& command, CaseOptions& o, const CaseOption& option, const 
       ->group(group);
 }
 
+template <class T, std::size_t n>
+void add_word(CLI::App& command, const std::string& name, std::string& word,
+              const Name<T> (&names)[n], const char* meaning, const char* group) {
+  command.add_option("--" + name, word, meaning)
+      ->type_name(joined(words(names), "|"))
+      ->check(one_of(name, words(names)))
+      ->group(group);
+}
+
 void add_approach(CLI::App& command, CaseOptions& o) {
-  const auto methods = words(method_names), formulations = words(formulation_names);
-  command.add_option("--method", o.method, "auto unless given: the least model for the tolerance")
-      ->type_name(joined(methods, "|"))
-      ->check(one_of("method", methods))
-      ->group("Method");
+  add_word(command, "method", o.method, method_names,
+           "auto unless given: the least model for the tolerance", "Method");
   const char* range = "1e-11 to 1e-2; 1e-6 unless given";
   declare(command, o, {"--tolerance", "NUMBER", range, &CaseOptions::tolerance}, "Method");
   command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
       ->type_name("NUMBER")
       ->check(whole_number("nodes"))
       ->group("Method");
-  command.add_option("--formulation", o.formulation, "sign of the slope, corrected unless given")
-      ->type_name(joined(formulations, "|"))
-      ->check(one_of("formulation", formulations))
-      ->group("Method");
+  add_word(command, "formulation", o.formulation, formulation_names,
+           "sign of the slope, corrected unless given", "Method");
+}
+
+void add_roller(CLI::App& command, CaseOptions& o) {
+  add_word(command, "roller", o.roller, roller_names,
+           "insulated unless given: all heat goes into the half-space", "Scene");
+  add_word(command, "direction", o.direction, direction_names,
+           "driving unless given, or as the sign of traction or creep says", "Scene");
 }
 
 Approach read_approach(const CaseOptions& o) {
@@ -87,6 +116,63 @@ Prescribed read_given(const CaseOptions& o) {
   if (o.traction) return {Quantity::traction, *o.traction};
   return o.creep ? Prescribed{Quantity::creep, *o.creep}
                  : Prescribed{Quantity::stick_slip_border, *o.border};
+}
+
+Direction read_direction(const CaseOptions& o, const Prescribed& given) {
+  const bool has_sign = given.quantity != Quantity::stick_slip_border;
+  if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
+  const Direction direction = value_of(direction_names, o.direction);
+  if (has_sign && given.value * sign_of(direction) < 0)
+    throw std::invalid_argument("--direction " + o.direction + " contradicts " +
+                                (o.traction ? "--traction " : "--creep ") + shortest(given.value) +
+                                ": it is positive for driving and negative for braking");
+  return direction;
+}
+
+template <std::size_t n>
+std::string those(const CaseOption (&options)[n], const CaseOptions& o, bool given) {
+  std::string names;
+  for (const CaseOption& option : options)
+    if ((o.*option.value).has_value() == given) names += std::string(" ") + option.name;
+  return names;
+}
+
+void check_roller(const CaseOptions& o, bool si) {
+  const bool conducting = value_of(roller_names, o.roller) == RollerKind::conducting;
+  const std::string groups = those(roller_group_options, o, true);
+  const std::string in_si = those(roller_si_options, o, true) + those(roller_diffusivity, o, true);
+  if (!conducting && !(groups + in_si).empty())
+    throw std::invalid_argument("--roller " + o.roller + " has no data of its own; for" + groups +
+                                in_si + " say --roller conducting");
+  if (!conducting) return;
+  if (si && !groups.empty()) throw std::invalid_argument("data in SI units exclude" + groups);
+  if (!si && !in_si.empty())
+    throw std::invalid_argument("--peclet and --heating exclude data in SI units; given:" + in_si);
+  const std::string missing =
+      si ? those(roller_si_options, o, false) : those(roller_group_options, o, false);
+  if (!missing.empty()) throw std::invalid_argument("--roller conducting lacks" + missing);
+  if (o.diffusivity_2)
+    require(*o.diffusivity_2 == *o.diffusivity, "diffusivity-2", *o.diffusivity_2,
+            "equal to --diffusivity: bodies of unlike diffusivities are not modelled");
+}
+
+Roller read_roller(const CaseOptions& o) {
+  check_roller(o, false);
+  const RollerKind kind = value_of(roller_names, o.roller);
+  if (kind == RollerKind::insulated) return {};
+  if (kind == RollerKind::identical) return {1, o.heating.value_or(0)};
+  require(*o.conductivity_ratio > 0, "conductivity-ratio", *o.conductivity_ratio, "positive");
+  return {*o.conductivity_ratio, *o.heating_2};
+}
+
+void read_roller(const CaseOptions& o, PhysicalScene& si) {
+  check_roller(o, true);
+  const RollerKind kind = value_of(roller_names, o.roller);
+  if (kind == RollerKind::insulated) return;
+  const bool alike = kind == RollerKind::identical;
+  si.expansion_2 = alike ? si.expansion : *o.expansion_2;
+  si.conductivity_2 = alike ? si.conductivity : *o.conductivity_2;
+  require(alike || si.conductivity_2 > 0, "conductivity-2", si.conductivity_2, "positive");
 }
 
 /// A validator for the option of this name, with this condition and description of what is allowed.
@@ -119,9 +205,12 @@ std::string or_else(const std::string& text, const std::string& other) {
 }  // namespace
 
 bool is_si_option(const std::string& name) {
-  const auto same = [&](const CaseOption& option) { return option.name == "--" + name; };
-  return std::any_of(std::begin(si_options), std::end(si_options), same) ||
-         std::any_of(std::begin(size_options), std::end(size_options), same);
+  const auto is_in = [&](const auto& options) {
+    return std::any_of(std::begin(options), std::end(options),
+                       [&](const CaseOption& option) { return option.name == "--" + name; });
+  };
+  return is_in(si_options) || is_in(size_options) || is_in(roller_si_options) ||
+         is_in(roller_diffusivity);
 }
 
 void add_case_options(CLI::App& command, CaseOptions& o) {
@@ -134,32 +223,38 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
       ->required()
       ->group("Scene");
   for (const CaseOption& option : given_options) add(option, "Scene");
+  add_roller(command, o);
   for (const CaseOption& option : group_options) add(option, "Dimensionless scene");
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
   for (const CaseOption& option : si_options) add(option, si);
   for (const CaseOption& option : size_options) add(option, si);
+  const char* roller = "The roller's own data, for --roller conducting";
+  for (const CaseOption& option : roller_group_options) add(option, roller);
+  for (const CaseOption& option : roller_si_options) add(option, roller);
+  for (const CaseOption& option : roller_diffusivity) add(option, roller);
   add_approach(command, o);
 }
 
 Case read_case(const CaseOptions& o) {
-  std::string given, missing;
-  for (const CaseOption& option : si_options)
-    (o.*option.value ? given : missing) += std::string(" ") + option.name;
-  for (const CaseOption& option : size_options)
-    if (o.*option.value) given += std::string(" ") + option.name;
+  const std::string given = those(si_options, o, true) + those(size_options, o, true);
+  const std::string missing = those(si_options, o, false);
   const Approach approach = read_approach(o);
   const Prescribed x = read_given(o);
+  const Direction direction = read_direction(o, x);
   if (given.empty()) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
-    return {{o.friction, *o.peclet, o.heating.value_or(0)}, x, approach, {}, {}};
+    const Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
+    return {scene, x, approach, {}, {}};
   }
   if (o.peclet || o.heating)
     throw std::invalid_argument("--peclet and --heating exclude data in SI units; given:" + given);
   if (!missing.empty()) throw std::invalid_argument("data in SI units lack" + missing);
   if (o.half_width.has_value() == o.radius.has_value())
     throw std::invalid_argument("data in SI units need either --half-width or --radius");
-  const PhysicalScene si{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
-                         *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
+  PhysicalScene si{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
+                   *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
+  read_roller(o, si);
+  si.direction = direction;
   return {{o.friction, 0, 0}, x, approach, si, o.radius};
 }
 

@@ -24,6 +24,9 @@ struct CaseOptions {
   Maybe peclet, heating;
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
+  std::string roller = "insulated", direction;
+  Maybe conductivity_ratio, heating_2;
+  Maybe conductivity_2, expansion_2, diffusivity_2;
   std::string method = "auto", formulation = "corrected";
   std::optional<int> nodes;
   Maybe tolerance;

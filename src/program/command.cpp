@@ -278,6 +278,7 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --method closed-form --format json
   thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+  thermoroll solve --friction 0.6 --traction -0.5 --peclet 4360 --heating 0.0175 --roller identical
   thermoroll solve --config wheel.toml --traction 0.4
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
@@ -285,7 +286,8 @@ Methods: auto takes the least of the next three that meets the tolerance; couple
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
 gauss-chebyshev is the published scheme and has no error estimate.
-Temperatures in degree C are rises above ambient.)";
+Temperatures in degree C are rises above ambient. Unless --roller says otherwise, all heat goes into
+one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
   thermoroll sweep <scenes.csv >results.csv
@@ -303,7 +305,8 @@ constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
 
 The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
-units) and error_estimate (of T*, absolute; empty for gauss-chebyshev).)";
+units) and error_estimate (of T*, absolute; empty for gauss-chebyshev). Unless --roller says
+otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list
@@ -312,7 +315,9 @@ constexpr const char* figure_data_examples = R"(Examples:
 
 constexpr const char* claims_examples = R"(Examples:
   thermoroll claims
-  thermoroll claims --format csv --output claims.csv)";
+  thermoroll claims --format csv --output claims.csv
+
+As in the paper all heat goes into one body: two steel bodies are about half as hot.)";
 
 constexpr const char* program_footer = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175

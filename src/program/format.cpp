@@ -37,6 +37,19 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"half_width_over_radius", "a/R", "", &PhysicalResults::half_width_over_radius},
     {"dissipation", "", "W/m", &PhysicalResults::dissipation}};
 
+RollerKind kind_of(const Scene& scene) {
+  const Roller& roller = scene.roller;
+  if (roller.conductivity_ratio == 0) return RollerKind::insulated;
+  const bool alike = roller.conductivity_ratio == 1 && roller.heating == scene.heating;
+  return alike ? RollerKind::identical : RollerKind::conducting;
+}
+
+void share_heat(json& o, const Scene& scene, const Results& x) {
+  const double heat = heat_share(scene) * x(Quantity::heat_integral);
+  o["heat_1"] = heat;
+  o["heat_2"] = scene.roller.conductivity_ratio * heat;
+}
+
 template <class T, std::size_t n>
 json object(const Row<T> (&rows)[n], const T& values) {
   json o;
@@ -62,7 +75,16 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["peclet"] = x.scene.peclet;
   o["heating"] = x.scene.heating;
   o["nodes"] = scheme ? json(x.approach.nodes) : json();
+  const RollerKind kind = kind_of(x.scene);
+  const bool insulated = kind == RollerKind::insulated;
+  o["roller"] = name_of(roller_names, kind);
+  o["direction"] = name_of(direction_names, x.scene.direction);
+  o["heating_2"] = insulated ? json() : json(x.scene.roller.heating);
+  o["conductivity_ratio"] = insulated ? json() : json(x.scene.roller.conductivity_ratio);
   o.update(object(x.value));
+  share_heat(o, x.scene, x.value);
+  o["heat_partition"] = heat_share(x.scene);
+  o["full_slip"] = x.value(Quantity::stick_slip_border) == -1;
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
   o["inner_iterations"] = scheme ? scheme->inner_iterations : 0;
@@ -74,6 +96,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   for (const auto& [what, from, to] : x.violations)
     o["violations"].push_back({{"what", what}, {"from", from}, {"to", to}});
   o["error_estimate"] = x.error ? object(*x.error) : json();
+  if (x.error) share_heat(o["error_estimate"], x.scene, *x.error);
   if (physical) {
     o["physical"] = object(physical_rows, physical->value);
     o["physical"]["error_estimate"] =
@@ -134,6 +157,13 @@ void flatten(const json& o, const std::string& prefix, std::vector<Field>& field
       fields.push_back({prefix + key, csv_cell(value)});
 }
 
+void leave_out_pair(json& o) {
+  for (const char* key : {"roller", "direction", "heating_2", "conductivity_ratio", "heat_1",
+                          "heat_2", "heat_partition", "full_slip"})
+    o.erase(key);
+  for (const char* key : {"heat_1", "heat_2"}) o["error_estimate"].erase(key);
+}
+
 struct ProfileColumn {
   const char *name, *si_name;
   const Eigen::ArrayXd& values;
@@ -163,15 +193,23 @@ std::string aligned(const Table& table) {
   return text;
 }
 
-std::string remark(const Solution& x) {
-  if (x.approach.method != Method::closed_form || x.scene.heating == 0) return "";
-  return "\nThe closed form leaves out what the heat does to the tractions. The errors are\n"
-         "those of its evaluation, not those of leaving the heat out.\n";
+std::string remark(const Solution& x, bool celsius) {
+  std::string text;
+  if (x.approach.method == Method::closed_form && heating_of_both(x.scene) > 0)
+    text +=
+        "\nThe closed form leaves out what the heat does to the tractions. The errors are\n"
+        "those of its evaluation, not those of leaving the heat out.\n";
+  if (celsius && kind_of(x.scene) == RollerKind::insulated)
+    text +=
+        "\nAll heat goes into one body, as the roller is an insulator: two steel bodies\n"
+        "(--roller identical) are about half as hot.\n";
+  return text;
 }
 
 std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical) {
   Table table{{"quantity", "symbol", "value", "error", "unit"}};
   const json o = to_json(x, physical);
+  const bool insulated = kind_of(x.scene) == RollerKind::insulated;
   const auto plain = [&](const char* name, const char* symbol) {
     const json& cell = o[name];
     const std::string text = cell.is_number_float() ? digits(cell, 9) : csv_cell(cell);
@@ -186,6 +224,13 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
   plain("friction", "f");
   plain("peclet", "Pe");
   plain("heating", "H");
+  if (!insulated) {
+    plain("roller", "");
+    plain("heating_2", "H2");
+    plain("conductivity_ratio", "K2/K1");
+    plain("heat_partition", "omega");
+  }
+  if (x.scene.direction == Direction::braking) plain("direction", "");
   for (const auto& [quantity, key, symbol] : reported) {
     const double error = x.error ? (*x.error)(quantity) : 0;
     table.push_back({key, symbol, digits(x.value(quantity), x.error ? 9 : 6),
@@ -204,7 +249,7 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     for (const char* name : {"admissible", "violations"}) plain(name, "");
   if (std::holds_alternative<CoupledSolution>(x.found))
     for (const char* name : {"unknowns", "newton_iterations"}) plain(name, "");
-  return aligned(table) + remark(x);
+  return aligned(table) + remark(x, physical.has_value());
 }
 
 /// One object a row, with the first row's cells as the keys.
@@ -220,11 +265,15 @@ json claims_json(const Table& table) {
 
 }  // namespace
 
-std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical) {
+std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
+                              bool with_pair) {
   require_finite(x, physical);
   json o = to_json(x, physical);
-  if (!x.error)
+  if (!x.error) {
     for (const Reported& row : reported) o["error_estimate"][row.key] = nullptr;
+    for (const char* key : {"heat_1", "heat_2"}) o["error_estimate"][key] = nullptr;
+  }
+  if (!with_pair) leave_out_pair(o);
   if (physical && !physical->error)
     for (const auto& row : physical_rows) o["physical"]["error_estimate"][row.name] = nullptr;
   std::vector<Field> fields;
@@ -275,7 +324,8 @@ std::string present(const Solution& x, const std::optional<FoundInSi>& physical,
   if (format == Format::text) return to_text(x, physical);
   if (format == Format::json) return to_json(x, physical).dump(2) + '\n';
   std::string header, cells;
-  for (const Field& field : csv_fields(x, physical)) {
+  const bool with_pair = kind_of(x.scene) != RollerKind::insulated;
+  for (const Field& field : csv_fields(x, physical, with_pair)) {
     const char* comma = header.empty() ? "" : ",";
     header.append(comma).append(field.name);
     cells.append(comma).append(field.cell);

@@ -20,8 +20,10 @@ struct Field {
 };
 
 /// The names and cells of a solution as CSV; the names depend on nothing but whether there are
-/// physical results. Throws NotConverged where a number of it is not finite.
-std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical);
+/// physical results and whether those keys are wanted that insulated rollers do without. Throws
+/// NotConverged where a number of it is not finite.
+std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
+                              bool with_pair);
 
 /// A text as a cell of CSV: between quotes where it must be.
 std::string quoted(std::string text);

@@ -29,6 +29,13 @@ inline constexpr Name<Model> model_names[] = {{"closed-form", Model::closed_form
 inline constexpr Name<Formulation> formulation_names[] = {{"printed", Formulation::printed},
                                                           {"corrected", Formulation::corrected}};
 
+enum class RollerKind { insulated, identical, conducting };
+inline constexpr Name<RollerKind> roller_names[] = {{"insulated", RollerKind::insulated},
+                                                    {"identical", RollerKind::identical},
+                                                    {"conducting", RollerKind::conducting}};
+inline constexpr Name<Direction> direction_names[] = {{"driving", Direction::driving},
+                                                      {"braking", Direction::braking}};
+
 enum class Format { text, json, csv };
 inline constexpr Name<Format> format_names[] = {
     {"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}};

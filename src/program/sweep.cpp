@@ -266,9 +266,11 @@ CaseOptions read_row(const std::vector<std::string>& columns,
 
 SweepTable table_of(const std::string& header) {
   SweepTable t{read_header(header), {}};
+  t.with_pair = place("roller", t.columns) < t.columns.size();
   std::optional<FoundInSi> physical;
   if (std::any_of(t.columns.begin(), t.columns.end(), is_si_option)) physical.emplace();
-  for (const Field& field : csv_fields(Solution{}, physical)) t.fields.push_back(field.name);
+  for (const Field& field : csv_fields(Solution{}, physical, t.with_pair))
+    t.fields.push_back(field.name);
   return t;
 }
 
@@ -282,7 +284,7 @@ SweepRow answer(const SweepTable& table, const std::string& line) {
     if (line.find('\0') != std::string::npos)
       throw std::invalid_argument("the row holds a null character");
     const SolvedCase x = solve_case(read_case(read_row(table.columns, cells)));
-    found = csv_fields(x.solution, x.physical);
+    found = csv_fields(x.solution, x.physical, table.with_pair);
     require_contact(x.solution);
     return {with_results(table, cells, found, "0", ""), true};
   } catch (const std::exception& error) {

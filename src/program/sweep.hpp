@@ -24,9 +24,11 @@ SweepCount sweep(int file, int jobs, bool progress);
 /// Rows and errors, rows per second, and the most memory that the process had so far.
 std::string summary(const SweepCount& x);
 
-/// The columns of a table: those read, and the names of the fields that a solved row has.
+/// The columns of a table: those read, and the names of the fields that a solved row has, with or
+/// without those that insulated rollers do without.
 struct SweepTable {
   std::vector<std::string> columns, fields;
+  bool with_pair = false;
 };
 
 /// The columns of a table with this header. Throws std::invalid_argument.

@@ -251,21 +251,25 @@ PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit
   return y;
 }
 
-std::vector<std::string> beyond_the_model(const PhysicalResults& x, double shear_modulus) {
+std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si) {
   struct Limit {
     const char* name;
     double value, most;
     const char* meaning;
   };
+  const char* melts = si.conductivity_2 > 0
+                          ? "steel melts there"
+                          : "steel melts there with all heat in one body: two steel bodies are "
+                            "about half as hot";
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there"},
       {"creep_ratio", std::abs(x.creep_ratio), 0.1, "strains are not small there"},
-      {"hertz_pressure", x.hertz_pressure, shear_modulus / 10, "a tenth of the shear modulus"},
-      {"max_temperature_celsius", x.max_temperature_celsius, 1500, "steel melts there"}};
+      {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus"},
+      {"max_temperature_celsius", x.max_temperature_celsius, 1500, melts}};
   std::vector<std::string> notes;
   for (const auto& [name, value, most, meaning] : limits) {
     if (!(value > most)) continue;
-    char text[200];
+    char text[300];
     std::snprintf(text, sizeof text,
                   "%s = %.3g is above %.4g (%s): are all data in SI units and none in GPa or mm?",
                   name, value, most, meaning);
@@ -342,7 +346,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   y.value.radius = si.half_width * si.half_width / (hertz * hertz);
   y.value.hertz_pressure = 2 / pi * unit.traction;
   y.value.half_width_over_radius = hertz * hertz / si.half_width;
-  y.notes = beyond_the_model(y.value, si.shear_modulus);
+  y.notes = beyond_the_model(y.value, si);
   if (!x.error) return y;
   y.error = converted(*x.error, *peak.error, unit, si);
   PhysicalResults& error = *y.error;

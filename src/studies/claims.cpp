@@ -7,6 +7,7 @@
 
 #include "studies/paper_case.hpp"
 #include "support/number_text.hpp"
+#include "thermoroll/solution.hpp"
 #include "thermoroll/temperature.hpp"
 
 namespace thermoroll {
@@ -188,6 +189,16 @@ Claims on_deformation() {
            fixed(x.value(Quantity::gamma0), 5), verdict(vanishes)}};
 }
 
+Claim on_two_bodies() {
+  const auto hottest = [](const Roller& roller) {
+    const Scene scene{paper::friction, paper::peclet, paper::heating, roller};
+    return solve(scene, {Quantity::traction, 0.5}).value(Quantity::max_temperature);
+  };
+  const double ratio = hottest({1, paper::heating}) / hottest({});
+  return {"both bodies may conduct: T*max of two over that of one at Pe = 4360", "future work", "–",
+          fixed(ratio, 3), verdict(std::abs(2 * ratio - 1) < 0.01, "computed: half as hot")};
+}
+
 /// Count a run of scene x; returns the error of its T*max in per cent.
 double count(Record& record, const Case& x, const PublishedSolution& run) {
   record.outer = std::max(record.outer, run.outer_iterations);
@@ -274,7 +285,7 @@ std::vector<Claim> claims() {
   Claims all;
   for (const Claims& some :
        {on_the_data(), on_the_temperature(), Claims{on_phases()}, on_variation(cases),
-        on_slip(cases), on_deformation(), on_the_iteration(cases)})
+        on_slip(cases), on_deformation(), Claims{on_two_bodies()}, on_the_iteration(cases)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

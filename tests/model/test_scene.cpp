@@ -63,6 +63,23 @@ TEST(Scene, PaperDataGiveThePapersGroups) {
 
 // A traction of one, a slip of one, and their heat and temperature, from the definitions; then the
 // arithmetic of the paper: T* = 0.002 is 272 degrees C at 25 m/s.
+// Either body has the heating that it would have alone; one that does not conduct has none.
+TEST(Scene, EachBodyHasItsHeating) {
+  PhysicalScene c = thermoroll::wheel_on_rail(), other = c;
+  const Scene alone = thermoroll::scene_of(c, 0.6);
+  EXPECT_EQ(alone.roller.conductivity_ratio, 0);
+  EXPECT_EQ(alone.roller.heating, 0);
+  c.conductivity_2 = other.conductivity = 20;
+  c.expansion_2 = other.expansion = 3e-5;
+  c.direction = thermoroll::Direction::braking;
+  const Scene pair = thermoroll::scene_of(c, 0.6);
+  EXPECT_EQ(pair.heating, alone.heating);
+  EXPECT_EQ(pair.roller.heating, thermoroll::scene_of(other, 0.6).heating);
+  EXPECT_EQ(pair.roller.conductivity_ratio, 0.4);
+  EXPECT_EQ(pair.direction, thermoroll::Direction::braking);
+  EXPECT_EQ(alone.direction, thermoroll::Direction::driving);
+}
+
 TEST(Scene, TemperatureUnitIsThePapers) {
   PhysicalScene c = thermoroll::wheel_on_rail();
   c.speed = 25;
@@ -94,7 +111,9 @@ TEST(Scene, HertzHalfWidthInvertsTheRadius) {
 
 TEST(Scene, RefusesWhatMakesNoSense) {
   const Scene good{0.6, 4360, 0.0175};
-  const PhysicalScene rail = thermoroll::wheel_on_rail();
+  PhysicalScene rail = thermoroll::wheel_on_rail();
+  rail.expansion_2 = 1e-5;
+  rail.conductivity_2 = 30;
   EXPECT_NO_THROW(thermoroll::check(good));
   EXPECT_NO_THROW(thermoroll::check(Scene{0.6, 4360, 0})) << "no heat is allowed";
   EXPECT_NO_THROW(thermoroll::check(rail));
@@ -122,6 +141,8 @@ TEST(Scene, RefusesWhatMakesNoSense) {
       {"expansion", &PhysicalScene::expansion, "zero or positive", true},
       {"diffusivity", &PhysicalScene::diffusivity, "positive", false},
       {"conductivity", &PhysicalScene::conductivity, "positive", false},
+      {"expansion-2", &PhysicalScene::expansion_2, "zero or positive", true},
+      {"conductivity-2", &PhysicalScene::conductivity_2, "zero or positive", true},
   };
   for (const Field& field : fields) {
     PhysicalScene bad = rail;

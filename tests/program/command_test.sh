@@ -103,12 +103,12 @@ CreepOrBorderInPlaceOfTraction() {
   near "$(value creep_ratio)" "$(calculate '0.1 * 1.4 * 1.2e7 / (8.1e10 * 5.5e-3)')" 1e-17
   refuses 2 "gauss-chebyshev needs the traction" \
     solve --friction 0.6 --creep 0.1 --peclet 100 --method gauss-chebyshev
-  refuses 2 "creep = -0.1 is not allowed: it must be positive (braking is not modelled)" \
-    solve --friction 0.6 --creep -0.1 --peclet 100
+  refuses 2 "creep = 0 is not allowed: it must be positive, or negative for braking" \
+    solve --friction 0.6 --creep 0 --peclet 100
   refuses 2 "creep = 0.5 is not allowed: it must be below 2 f / pi" \
     solve --friction 0.6 --creep 0.5 --peclet 100 --method closed-form
-  refuses 2 "creep = 0.5 is not allowed: it must be below 0.38" \
-    solve --friction 0.6 --creep 0.5 --peclet 100
+  answers solve --friction 0.6 --creep 0.5 --peclet 100 --format json
+  [ "$(value traction) $(value full_slip)" = "0.6 true" ] || fail "not in full slip: $(cat out)"
   refuses 2 "stick-slip-border = -1 is not allowed: it must be between -1 and 1" \
     solve --friction 0.6 --stick-slip-border -1 --peclet 100
   local one="exactly one of --traction, --creep and --stick-slip-border"
@@ -211,9 +211,10 @@ ClosedFormGivesTheConvergedMaximum() {
 
 JsonHasItsKeysInOrder() {
   local case="method model reason formulation friction traction peclet heating nodes"
+  case="$case roller direction heating_2 conductivity_ratio"
   local bounded="stick_slip_border creep_constant creep load_ratio gamma0 eccentricity heat_integral"
-  bounded="$bounded max_temperature max_temperature_at"
-  local end="outer_iterations inner_iterations unknowns newton_iterations converged admissible violations"
+  bounded="$bounded max_temperature max_temperature_at heat_1 heat_2"
+  local end="heat_partition full_slip outer_iterations inner_iterations unknowns newton_iterations converged admissible violations"
   end="$end error_estimate"
   local physical="physical half_width radius creep_ratio hertz_pressure max_pressure max_traction"
   physical="$physical max_heat_flux max_temperature_celsius half_width_over_radius dissipation error_estimate"
@@ -251,7 +252,8 @@ CsvSaysWhatJsonSays() {
   local case method
   for method in $methods; do
     answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format json
-    sed -n 's/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  *}.*/out/p' out |
+    local pair="roller\|direction\|heating_2\|conductivity_ratio\|heat_[12]\|heat_partition\|full_slip"
+    sed -n '/^ *"\('"$pair"'\)":/d; s/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  *}.*/out/p' out |
       awk '$1 == "in" { prefix = prefix $2 "."; next } $1 == "out" { sub(/[a-z_]*\.$/, "", prefix); next }
            { key = $1; sub(/^[^ ]* /, ""); print prefix key, $0 == "null" || $0 == "[]" ? "" : $0 }' |
       grep -v 'error_estimate $' >expected
@@ -263,6 +265,147 @@ CsvSaysWhatJsonSays() {
   done
   cmp header.closed-form header.gauss-chebyshev || fail "the columns depend on the method"
   cmp header.closed-form header.coupled || fail "the columns depend on the method"
+}
+
+# What two bodies have added is in no column, unless the roller conducts.
+InsulatedRollersKeepTheirColumns() {
+  columns() { head -1 out | tr ',' '\n'; }
+  answers solve "${paper_case[@]}" --format csv
+  columns >insulated
+  ! grep -Ex 'roller|direction|full_slip|.*heat(ing)?_([12]|partition)|conductivity_ratio' insulated ||
+    fail "new columns"
+  answers solve --friction 0.6 --traction -0.5 --peclet 5000 --roller insulated --format csv
+  columns | cmp - insulated || fail "braking has other columns"
+  answers solve "${paper_case[@]}" --roller identical --format csv
+  local new="roller direction heating_2 conductivity_ratio heat_1 heat_2 heat_partition full_slip"
+  [ "$(columns | grep -vxFf insulated | paste -sd' ')" = "$new error_estimate.heat_1 error_estimate.heat_2" ] ||
+    fail "$(columns)"
+  [ "$(columns | grep -xFf insulated)" = "$(cat insulated)" ] || fail "another order: $(columns)"
+}
+
+# Negative traction or creep brakes, and a border as it is said; the answer has true signs.
+Braking() {
+  local scene=(--friction 0.6 --peclet 100 --heating 1 --format json)
+  answers solve --traction -0.5 "${scene[@]}"
+  cp out brakes
+  [ "$(value direction) $(value traction)" = "braking -0.5" ] || fail "$(cat out)"
+  local border creep
+  border=$(value stick_slip_border) creep=$(value creep)
+  awk -v x="$creep" 'BEGIN { exit !(x < 0) }' || fail "creep $creep"
+  answers solve --traction -0.5 --direction braking "${scene[@]}"
+  cmp out brakes || fail "--direction changes what the sign says"
+  answers solve --creep "$creep" --direction braking "${scene[@]}"
+  near "$(value traction)" -0.5 1e-6
+  answers solve --stick-slip-border "$border" --direction braking "${scene[@]}"
+  near "$(value traction)" -0.5 1e-6
+  near "$(value creep)" "$creep" 1e-6
+  answers solve --stick-slip-border "$border" "${scene[@]}"
+  [ "$(value direction)" = driving ] || fail "$(cat out)"
+  awk -v x="$(value traction)" 'BEGIN { exit !(x > 0) }' || fail "$(cat out)"
+  answers solve --traction -0.5 --friction 0.6 --peclet 100 --heating 1
+  grep -q '^direction  *braking$' out || fail "$(cat out)"
+  answers solve --traction 0.5 --direction driving --friction 0.6 --peclet 100
+  ! grep -q '^direction' out || fail "$(cat out)"
+  refuses 2 "--direction driving contradicts --traction -0.5: it is positive for driving and negative for braking" \
+    solve --traction -0.5 --direction driving "${scene[@]}"
+  refuses 2 "--direction braking contradicts --creep 0.1: " solve --creep 0.1 --direction braking "${scene[@]}"
+  refuses 2 "direction = back is not allowed: it must be driving or braking" \
+    solve --traction 0.5 --direction back "${scene[@]}"
+  refuses 2 "gauss-chebyshev is for an insulated cylinder that drives" \
+    solve --traction -0.5 "${scene[@]}" --method gauss-chebyshev
+  # the half-width of a radius belongs to the direction
+  local si=("${steel[@]:0:2}" --stick-slip-border 0.1 "${steel[@]:4}" --direction braking --format json)
+  answers solve "${si[@]}" --radius 0.2
+  local size traction
+  size=$(value half_width) traction=$(value traction)
+  near "$(value radius)" 0.2 1e-7
+  [ "$(value direction)" = braking ] || fail "$(cat out)"
+  answers solve "${si[@]}" --half-width "$size"
+  near "$(value traction)" "$traction" 1e-9
+}
+
+# A roller that conducts: its words, its data in both kinds, and the heat of either body.
+Rollers() {
+  local scene=(--friction 0.6 --traction 0.4 --peclet 100 --heating 1 --format json)
+  answers solve "${scene[@]}"
+  [ "$(value roller) $(value heating_2) $(value conductivity_ratio) $(value heat_partition) $(value full_slip)" = \
+    "insulated null null 1.0 false" ] || fail "$(cat out)"
+  [ "$(value heat_1) $(value heat_2)" = "$(value heat_integral) 0.0" ] || fail "$(cat out)"
+  answers solve "${scene[@]}" --roller identical
+  cp out identical
+  [ "$(value roller) $(value heating_2) $(value conductivity_ratio) $(value heat_partition)" = \
+    "identical 1.0 1.0 0.5" ] || fail "$(cat out)"
+  near "$(value heat_1)" "$(calculate "$(value heat_integral) / 2")" 1e-17
+  answers solve "${scene[@]}" --roller conducting --conductivity-ratio 1 --heating-2 1
+  cmp out identical || fail "the same data by another word"
+  answers solve "${scene[@]}" --roller conducting --conductivity-ratio 0.25 --heating-2 2
+  [ "$(value roller) $(value heating_2) $(value conductivity_ratio) $(value heat_partition)" = \
+    "conducting 2.0 0.25 0.8" ] || fail "$(cat out)"
+  near "$(value heat_2)" "$(calculate "0.2 * $(value heat_integral)")" 1e-16
+  # in SI units; half of the heat makes steel half as hot, but for what heat does to the slip
+  local si=("${steel[@]}" --half-width 5.5e-3)
+  answers solve "${si[@]}" --format json
+  local hot
+  hot=$(value max_temperature_celsius)
+  answers solve "${si[@]}" --roller identical --format json
+  cp out identical
+  near "$(value max_temperature_celsius)" "$(calculate "$hot / 2")" "$(calculate "0.01 * $hot")"
+  [ "$(value roller) $(value heating_2)" = "identical $(value heating)" ] || fail "$(cat out)"
+  answers solve "${si[@]}" --roller conducting --conductivity-2 50 --expansion-2 1.1e-5 --format json
+  cmp out identical || fail "the same data by another word"
+  answers solve "${si[@]}" --roller conducting --conductivity-2 25 --expansion-2 2.2e-5 \
+    --diffusivity-2 1.4e-5 --format json
+  near "$(value heating_2)" "$(calculate "4 * $(value heating)")" 1e-16
+  near "$(value conductivity_ratio)" 0.5 0
+  # the text tells the roller, and whom it warms
+  answers solve "${si[@]}" --roller identical
+  local line
+  for line in 'roller  *identical' 'heating_2  *H2  *0.017472' 'conductivity_ratio  *K2/K1  *1' \
+    'heat_partition  *omega  *0.5'; do
+    grep -q "^$line\$" out || fail "no $line: $(cat out)"
+  done
+  ! grep -q 'half as hot' out || fail "they are: $(cat out)"
+  answers solve "${si[@]}"
+  grep -q '^All heat goes into one body' out && grep -q 'about half as hot' out || fail "$(cat out)"
+  answers solve "${paper_case[@]}"
+  ! grep -q 'half as hot' out || fail "a remark on degrees without any"
+}
+
+BadRollers() {
+  local scene=(--friction 0.6 --traction 0.4 --peclet 100 --heating 1) si=("${steel[@]}" --half-width 5.5e-3)
+  refuses 2 "roller = wood is not allowed: it must be insulated or identical or conducting" \
+    solve "${scene[@]}" --roller wood
+  local kind
+  for kind in insulated identical; do
+    refuses 2 "--roller $kind has no data of its own; for --heating-2 say --roller conducting" \
+      solve "${scene[@]}" --roller $kind --heating-2 1
+    refuses 2 "--roller $kind has no data of its own; for --conductivity-2 say --roller conducting" \
+      solve "${si[@]}" --roller $kind --conductivity-2 50
+  done
+  refuses 2 "--roller insulated has no data of its own; for --diffusivity-2" solve "${si[@]}" --diffusivity-2 1.4e-5
+  local conducting=(--roller conducting)
+  refuses 2 "--roller conducting lacks --conductivity-ratio --heating-2" solve "${scene[@]}" "${conducting[@]}"
+  refuses 2 "--roller conducting lacks --heating-2" solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1
+  refuses 2 "--roller conducting lacks --conductivity-2 --expansion-2" solve "${si[@]}" "${conducting[@]}"
+  refuses 2 "--roller conducting lacks --expansion-2" solve "${si[@]}" "${conducting[@]}" --conductivity-2 50
+  refuses 2 "data in SI units exclude --heating-2" \
+    solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 1e-5 --heating-2 1
+  refuses 2 "--peclet and --heating exclude data in SI units; given: --expansion-2" \
+    solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1 --heating-2 1 --expansion-2 1e-5
+  refuses 2 "diffusivity-2 = 1e-05 is not allowed: it must be equal to --diffusivity: bodies of unlike" \
+    solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 1e-5 --diffusivity-2 1e-5
+  refuses 2 "conductivity-2 = 0 is not allowed: it must be positive" \
+    solve "${si[@]}" "${conducting[@]}" --conductivity-2 0 --expansion-2 1e-5
+  refuses 2 "expansion-2 = -1 is not allowed: it must be zero or positive" \
+    solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 -1
+  refuses 2 "conductivity-ratio = 0 is not allowed: it must be positive" \
+    solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 0 --heating-2 1
+  refuses 2 "heating-2 = -1 is not allowed: it must be zero or positive" \
+    solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1 --heating-2 -1
+  refuses 2 "heating-2 = nan is not allowed: it must be a finite number" \
+    solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1 --heating-2 nan
+  refuses 2 "gauss-chebyshev is for an insulated cylinder that drives" \
+    solve "${scene[@]}" --roller identical --method gauss-chebyshev
 }
 
 TextTellsWhatIsLeftOut() {
@@ -334,6 +477,7 @@ NotesOnDataBeyondTheModel() {
   done
   sed 's/^thermoroll: note: //' err >told
   sed -n '/^  "notes": \[$/,/^  \]$/p' out | sed -n 's/^    "\(.*\)",\{0,1\}$/\1/p' | diff told - || fail "not in the JSON: $(cat out)"
+  grep -q 'with all heat in one body: two steel bodies are about half as hot' err || fail "$(cat err)"
   run solve "${in_gpa[@]}" --format csv
   [ "$(tail -1 out | sed 's/.*,//')" = "$(paste -sd';' told | sed 's/;/; /g')" ] || fail "not in the CSV: $(cat out)"
   run temperature "${in_gpa[@]}" --at 0.5
@@ -563,17 +707,18 @@ BadScenes() {
 --friction 0.6 --traction 0.6 --peclet 100
 --friction 0.6 --traction 0.7 --peclet 100
 --friction 0.6 --traction 0 --peclet 100
---friction 0.6 --traction -0.1 --peclet 100
+--friction 0.6 --traction -0.7 --peclet 100
 --friction 0.6 --traction 0.5 --peclet 0
 --friction 0.6 --traction 0.5 --peclet -100
 --friction 0.6 --traction 0.5 --peclet 100 --heating -1
 END
-  refuses 2 "traction = 0.7 is not allowed: it must be above 0 and below the friction, 0.6" \
-    solve --friction 0.6 --traction 0.7 --peclet 100
+  local sign
+  for sign in "" -; do
+    refuses 2 "traction = ${sign}0.7 is not allowed: it must be between -0.6 and 0.6, the friction" \
+      solve --friction 0.6 --traction ${sign}0.7 --peclet 100
+  done
   refuses 2 "peclet = inf is not allowed: it must be finite and positive" \
     solve "${steel[@]}" --half-width 1e308
-  refuses 2 "traction = -0.5 is not allowed: it must be above 0 and below the friction (braking is not modelled)" \
-    solve --friction 0.6 --traction -0.5 --peclet 100
   # no contact is found, rather than a wrong one
   refuses 1 "coupled: no" solve --friction 0.6 --traction 0.5 --peclet 1e200 --heating 1e200
 }
@@ -962,6 +1107,11 @@ Help() {
   grep -q '^Exit status: 0 done; 1 ' out || fail "no exit status: $(cat out)"
   answers solve --help
   grep -q 'not count that in its errors' out || fail "does not say what the errors are: $(cat out)"
+  for command in solve temperature; do
+    answers $command --help
+    tr '\n' ' ' <out | grep -q 'all heat goes into one body.*two steel bodies (--roller identical) are about half as hot' ||
+      fail "$command does not say whom the heat warms: $(cat out)"
+  done
 }
 
 # Every example of every --help, just as it stands there.

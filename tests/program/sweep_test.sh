@@ -35,6 +35,35 @@ cell() {
 
 error_of() { LC_ALL=C sed -n "$(($1 + 1))s/.*,\([0-9]\),\(.*\)/\1 \2/p" results.csv | tr -d '"'; } # error_of ROW
 
+# The words of roller and direction are columns as all options; a column for the roller brings what
+# two bodies have added, in every row.
+RollersAndDirections() {
+  cat >scenes.csv <<'END'
+friction,traction,stick-slip-border,peclet,heating,roller,direction,heating-2,conductivity-ratio
+0.6,0.5,,100,1,,,,
+0.6,-0.5,,100,1,identical,,,
+0.6,,0.1,100,1,conducting,braking,2,0.3
+0.6,0.3,,100,1,conducting,braking,2,0.3
+0.6,0.3,,100,1,conducting,,2,
+END
+  sweeps 4
+  [ "$(cell roller 1) $(cell direction 1) $(cell heat_partition 1)" = "insulated driving 1.0" ] ||
+    fail "$(cat results.csv)"
+  [ "$(cell roller 2) $(cell direction 2) $(cell heating-2 2) $(cell conductivity-ratio 2)" = \
+    "identical braking 1.0 1.0" ] || fail "$(cat results.csv)"
+  [ "$(cell roller 3) $(cell direction 3) $(cell heating-2 3) $(cell full_slip 3)" = \
+    "conducting braking 2 false" ] || fail "$(cat results.csv)"
+  grep -q '^0.6,-0.4' <<<"$(sed -n 4p results.csv)" || fail "no traction of its sign: $(cat results.csv)"
+  [ "$(error_of 4)" = "2 --direction braking contradicts --traction 0.3: it is positive for driving and negative for braking" ] ||
+    fail "$(error_of 4)"
+  [ "$(error_of 5)" = "2 --roller conducting lacks --conductivity-ratio" ] || fail "$(error_of 5)"
+  cut -d, -f1-5 scenes.csv | sed -n 1,3p >some.csv
+  mv some.csv scenes.csv
+  sweeps 0
+  ! head -1 results.csv | tr ',' '\n' | grep -qx 'roller\|heat_1\|full_slip' || fail "$(head -1 results.csv)"
+  [ "$(cell traction 2) $(cell status 2)" = "-0.5 0" ] || fail "$(cat results.csv)"
+}
+
 AnswersAsSolveDoes() {
   write_scenes
   sweeps 4
@@ -55,7 +84,7 @@ AnswersAsSolveDoes() {
         fail "row $row has the $column $(cell "$column" $row), not $(cell "$column" 1 out)"
     done
   done
-  [ "$(error_of 3)" = "2 traction = 0.7 is not allowed: it must be above 0 and below the friction, 0.6" ] ||
+  [ "$(error_of 3)" = "2 traction = 0.7 is not allowed: it must be between -0.6 and 0.6, the friction" ] ||
     fail "row 3: $(error_of 3)"
 }
 # What was given stays as it was written, so that 1 may stand for 1.0.

@@ -81,7 +81,8 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
     record.within("errors keep the tolerance", e(q), x.tolerance * std::abs(v(q)) * (1 + 1e-12));
   const Quantity given = x.given.quantity;
   record.within("what is given comes out", v(given) - x.given.value, std::max(e(given), 1e-15));
-  record.require("the border is in the contact", std::abs(v(stick_slip_border)) < 1);
+  record.require("the border is in the contact",
+                 -1 <= v(stick_slip_border) && v(stick_slip_border) < 1);
   record.require("heat, temperature and load ratio are positive",
                  v(heat_integral) > 0 && v(max_temperature) > 0 && v(load_ratio) > 0);
   // C = xi* + f gamma0; each is a sum of about a hundred terms of its own size or that of f kappa.
@@ -91,7 +92,8 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   record.within("the eccentricity belongs to gamma0",
                 v(eccentricity) - pi * v(gamma0) / (2 * v(load_ratio)),
                 1e-15 * std::abs(v(eccentricity)) + 1e-300);
-  if (x.scene.friction * x.scene.heating <= 10)
+  const double strength = x.scene.friction * heating_of_both(x.scene);
+  if (strength <= (strain_share(x.scene) == 1 ? 10 : 0.5))
     record.require("a solution is a contact", found.violations.empty());
   record.require("the work is bounded",
                  found.unknowns <= most_unknowns && found.newton_steps <= 100);
@@ -99,7 +101,7 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
 
 /// Without heat the solution is Carter's, but for a few roundings.
 void examine_without_heat(const Record& record, const Sample& x, const CoupledSolution& found) {
-  if (x.scene.heating > 0) return;
+  if (heating_of_both(x.scene) > 0) return;
   const Results closed = carter_values(carter_given(x.scene.friction, x.given));
   const Results scale = scale_of(closed);
   for (int i = 0; i + 1 < compared; ++i)
@@ -118,12 +120,18 @@ void examine_least_model(const Record& record, const Sample& x, const CoupledSol
     record.within("a lesser model is as good as it says", off[i], allowed[i]);
 }
 
+/// As a user gives it: a border has no sign.
+Prescribed signed_given(const Sample& x) {
+  const bool has_sign = x.given.quantity != stick_slip_border;
+  return {x.given.quantity, has_sign ? sign_of(x.scene.direction) * x.given.value : x.given.value};
+}
+
 Solution solve_to(const Sample& x, double tolerance) {
   Approach approach;
   approach.method = Method::coupled;
   approach.formulation = x.formulation;
   approach.tolerance = tolerance;
-  return thermoroll::solve(x.scene, x.given, approach);
+  return thermoroll::solve(x.scene, signed_given(x), approach);
 }
 
 /// A solution to 1e-10 where it can be had, else a hundred times as accurate as is asked for, or
@@ -316,7 +324,7 @@ void examine_profile(const Record& record, const CoupledSolution& found, const P
                 errors * e(max_temperature));
 }
 
-/// The strain by heat at s, without its factor f Pe H / pi: the integral of N2 with the flux.
+/// The strain by heat at s, without its factor tau f Pe H / pi: the integral of N2 with the flux.
 double strain(const HeatFlux& flux, double peclet, double s) {
   const double length = flux.to - flux.from, from = flux.from - s, to = flux.to - s;
   std::vector<double> points{from, to};
@@ -333,11 +341,12 @@ double strain(const HeatFlux& flux, double peclet, double s) {
   return integrate(integrand, points).value;
 }
 
-/// f int g = xi Q - (f Pe H / pi) int q int N2 g, as in Coupled.EnergyBalances, where the adaptive
-/// quadrature finds int N2 g.
+/// f int g = xi Q - (tau f Pe H / pi) int q int N2 g with the share of strain tau and the heating
+/// of both bodies, as in Coupled.EnergyBalances, where the adaptive quadrature finds int N2 g.
 void examine_energy(const Record& record, const Sample& x, const CoupledSolution& found,
                     const Profile& y, const Tractions& z) {
-  const double f = x.scene.friction, peclet = x.scene.peclet, heating = x.scene.heating;
+  const double f = x.scene.friction, peclet = x.scene.peclet;
+  const double heating = strain_share(x.scene) * heating_of_both(x.scene);
   const HeatFlux flux = coupled_flux(found);
   const Index n = found.unknowns, m = y.s.size() - n;
   Eigen::VectorXd strains(m + n);
@@ -358,6 +367,17 @@ void examine_energy(const Record& record, const Sample& x, const CoupledSolution
 
 }  // namespace
 
+/// The options of a cylinder that conducts or brakes.
+static std::string text_of_pair(const Scene& scene) {
+  const Roller& roller = scene.roller;
+  const bool brakes = scene.direction == Direction::braking;
+  std::string text = brakes ? " --direction braking" : "";
+  if (roller.conductivity_ratio > 0)
+    text += " --roller conducting --conductivity-ratio " + shortest(roller.conductivity_ratio) +
+            " --heating-2 " + shortest(roller.heating);
+  return text;
+}
+
 std::string text(const Sample& x) {
   const bool by_creep = x.given.quantity == creep,
              by_border = x.given.quantity == stick_slip_border;
@@ -365,9 +385,10 @@ std::string text(const Sample& x) {
          (by_creep    ? " --creep "
           : by_border ? " --stick-slip-border "
                       : " --traction ") +
-         shortest(x.given.value) + " --peclet " + shortest(x.scene.peclet) + " --heating " +
+         shortest(signed_given(x).value) + " --peclet " + shortest(x.scene.peclet) + " --heating " +
          shortest(x.scene.heating) + " --tolerance " + shortest(x.tolerance) +
-         (x.formulation == Formulation::printed ? " --formulation printed" : "");
+         (x.formulation == Formulation::printed ? " --formulation printed" : "") +
+         text_of_pair(x.scene);
 }
 
 /// Near both ends of (0, 1) log-uniform down to the least, in between uniform.
@@ -385,6 +406,13 @@ static Prescribed spread_given(Random& random, double friction, double share) {
   return {stick_slip_border, share < 0.5 ? 1 - 2 * slip_half_width : 2 * root - 1};
 }
 
+/// An insulator, the same body, or another with a heating from a tenth to ten times as large.
+static Roller spread_roller(Random& random, double heating) {
+  if (random.one_of(3)) return {};
+  if (random.one_of(2)) return {1, heating};
+  return {random.log_uniform(0.01, 100), heating * random.log_uniform(0.1, 10)};
+}
+
 Sample sample(std::uint64_t seed, std::uint64_t number) {
   Random random(seed, number);
   const bool corner = number % 4 == 3, wide = random.one_of(5);
@@ -396,7 +424,9 @@ Sample sample(std::uint64_t seed, std::uint64_t number) {
   const Prescribed given = spread_given(random, f, spread_share(random, corner ? 1e-12 : 1e-9));
   const auto formulation = random.one_of(2) ? Formulation::printed : Formulation::corrected;
   const double tolerance = random.one_of(2) ? 1e-6 : random.log_uniform(1e-8, 1e-2);
-  return {{f, peclet, heating}, given, formulation, tolerance};
+  const Roller roller = spread_roller(random, heating);
+  const auto direction = random.one_of(2) ? Direction::braking : Direction::driving;
+  return {{f, peclet, heating, roller, direction}, given, formulation, tolerance};
 }
 
 Record::Record(std::uint64_t number, const Sample& x, Totals& totals)
@@ -439,13 +469,16 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
   const Record record(number, x, totals);
   try {
     const CoupledSolution found = solve(x, x.given.value);
-    record.outcome("solved");
+    const bool slips = found.value(stick_slip_border) == -1;
+    if (slips && !found.violations.empty()) return record.outcome("no contact, in full slip");
+    record.outcome(slips ? "solved, in full slip" : "solved");
     examine_results(record, x, found);
+    if (slips) return;  // what follows is about both zones
     examine_without_heat(record, x, found);
     examine_least_model(record, x, found);
     if (depth >= Depth::again) {
       examine_again(record, x, found);
-      if (x.scene.friction * x.scene.heating <= 50) examine_error(record, x, found);
+      if (x.scene.friction * heating_of_both(x.scene) <= 50) examine_error(record, x, found);
     }
     if (depth < Depth::profiles) return;
     const Profile y = profile(found);

@@ -25,7 +25,8 @@ std::string text(const Sample& x);
 /// 1e-3...1e8, Q*/f log-uniform down to 1e-9 from either end or uniform in between, at the
 /// tolerance 1e-6 or between 1e-8 and 1e-2; the fourth is from the corners: Pe 1e-3...1e8, H 0 or
 /// 1e-6...1e3, f 1e-3...2, and Q*/f down to 1e-12 from either end. In a third of all, the creep or
-/// the border of Carter's solution is given in place of the traction.
+/// the border of Carter's solution is given in place of the traction. A third of the cylinders each
+/// insulates, is the same body or conducts otherwise, and half of them brake.
 Sample sample(std::uint64_t seed, std::uint64_t number);
 
 /// How far something may be from what it should be, and the scene in which it was so far.

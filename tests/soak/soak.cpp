@@ -133,10 +133,11 @@ void report_compared(const std::map<int, soak::Compared>& compared, const char* 
 }
 
 int report(const soak::Totals& totals, std::uint64_t seed, double seconds) {
-  long count = 0;
-  for (const auto& [what, n] : totals.outcomes) count += n;
-  const auto solved = totals.outcomes.find("solved");
-  const long answers = solved == totals.outcomes.end() ? 0 : solved->second;
+  long count = 0, answers = 0;
+  for (const auto& [what, n] : totals.outcomes) {
+    count += n;
+    if (what.rfind("solved", 0) == 0) answers += n;
+  }
   std::printf(
       "%ld scenes of seed %llu in %.0f s: %ld solved, %ld refused, %zu of %zu properties failed\n",
       count, static_cast<unsigned long long>(seed), seconds, answers, count - answers,

@@ -50,16 +50,23 @@ TEST(Property, HoldsInRandomScenes) { hold_in(few); }
 
 // Other numbers are other scenes, in the ranges promised, and the same number is the same scene.
 TEST(Property, ScenesAreSpread) {
-  int corners = 0, by_creep = 0, by_border = 0;
+  int corners = 0, by_creep = 0, by_border = 0, braking = 0, insulated = 0, identical = 0;
   for (std::uint64_t number = 0; number < 4000; ++number) {
     const soak::Sample x = soak::sample(7, number);
-    const auto [f, peclet, heating] = x.scene;
+    const double f = x.scene.friction, peclet = x.scene.peclet, heating = x.scene.heating;
+    const thermoroll::Roller& roller = x.scene.roller;
     EXPECT_TRUE(1e-3 <= f && f <= 2 && 1e-3 <= peclet && peclet <= 1e8 && 0 <= heating &&
                 heating <= 2e3 && 1e-8 <= x.tolerance && x.tolerance <= 1e-2)
         << soak::text(x);
     EXPECT_NO_THROW(thermoroll::check(x.scene, x.given)) << soak::text(x);
     by_creep += x.given.quantity == thermoroll::Quantity::creep;
     by_border += x.given.quantity == thermoroll::Quantity::stick_slip_border;
+    braking += x.scene.direction == thermoroll::Direction::braking;
+    insulated += roller.conductivity_ratio == 0;
+    identical += roller.conductivity_ratio == 1 && roller.heating == heating;
+    EXPECT_TRUE(0 <= roller.conductivity_ratio && roller.conductivity_ratio <= 100 &&
+                roller.heating <= 10 * heating)
+        << soak::text(x);
     const double q = x.given.quantity == thermoroll::Quantity::traction ? x.given.value : f / 2;
     if (q / f < 1e-9 || 1 - q / f < 1e-9) ++corners;
     EXPECT_EQ(soak::text(x), soak::text(soak::sample(7, number)));
@@ -68,6 +75,9 @@ TEST(Property, ScenesAreSpread) {
   }
   EXPECT_GT(corners, 30);
   EXPECT_GT(std::min(by_creep, by_border), 500);
+  EXPECT_NEAR(braking, 2000, 200);  // six standard deviations
+  EXPECT_NEAR(insulated, 4000 / 3, 200);
+  EXPECT_NEAR(identical, 4000 / 3, 200);
 }
 
 // What is beyond what is allowed, and a NaN, is a failure with its scene; the worst is kept, also

@@ -134,6 +134,18 @@ TEST(Claims, PhaseTransformationIsJudgedAtEveryLoad) {
   EXPECT_EQ(phases->verdict, "holds, at Q* = 0.2, 0.4, 0.5, not at 0.59");
 }
 
+// Half of the heat flows into either of two identical bodies. What heat does to the slip changes
+// with the strain, by fH = 0.01 of it at most.
+TEST(Claims, TwoBodiesAreHalfAsHot) {
+  const auto pair = std::find_if(claims().begin(), claims().end(), [](const Claim& c) {
+    return c.claim.find("both bodies may conduct") != std::string::npos;
+  });
+  ASSERT_NE(pair, claims().end());
+  EXPECT_EQ(pair->paper, "future work");
+  EXPECT_NEAR(std::stod(pair->converged), 0.5, 0.005);
+  EXPECT_EQ(pair->verdict, "holds, computed: half as hot");
+}
+
 // The limits of the rule: half a per cent, and half a unit of the paper's last digit.
 TEST(Claims, NumbersHoldToHalfAPerCentOrRounded) {
   EXPECT_EQ(verdict_on("200", 200), "holds");

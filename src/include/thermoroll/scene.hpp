@@ -42,17 +42,20 @@ double strain_share(const Scene& scene);
 /// 1 for driving, -1 for braking.
 constexpr double sign_of(Direction direction) { return direction == Direction::driving ? 1 : -1; }
 
-/// A rolling contact in SI units (@tbl:steel). All fields positive, but expansion and
-/// poisson may be zero; poisson below 1/2.
+/// A rolling contact in SI units (@tbl:steel). All fields positive, but the expansions,
+/// poisson and conductivity_2 may be zero; poisson below 1/2.
 struct PhysicalScene {
-  double load;           ///< P, load per unit length, N/m
-  double speed;          ///< V, rolling speed, m/s
-  double half_width;     ///< a, half-width of the contact, m
-  double shear_modulus;  ///< mu, of both bodies, Pa
-  double poisson;        ///< nu, of both bodies
-  double expansion;      ///< alpha, thermal expansion of the half-space, 1/degree C
-  double diffusivity;    ///< k, thermal diffusivity of the half-space, m^2/s
-  double conductivity;   ///< K, thermal conductivity of the half-space, W/(m degree C)
+  double load;                ///< P, load per unit length, N/m
+  double speed;               ///< V, rolling speed, m/s
+  double half_width;          ///< a, half-width of the contact, m
+  double shear_modulus;       ///< mu, of both bodies, Pa
+  double poisson;             ///< nu, of both bodies
+  double expansion;           ///< alpha, thermal expansion of the half-space, 1/degree C
+  double diffusivity;         ///< k, thermal diffusivity of the half-space, m^2/s
+  double conductivity;        ///< K, thermal conductivity of the half-space, W/(m degree C)
+  double expansion_2 = 0;     ///< that of the cylinder, 1/degree C
+  double conductivity_2 = 0;  ///< that of the cylinder, W/(m degree C); 0 for an insulator
+  Direction direction = Direction::driving;
 };
 
 /// The SI value of one dimensionless unit (@eq:scaled-variables, @eq:temperature-scale).
