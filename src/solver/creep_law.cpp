@@ -22,11 +22,32 @@ struct HalfCurve {
   double creep(double z) const { return z < 1 ? all_slips * z * z : all_slips / (2 - z); }
 };
 
+Results partial_slip(const HalfCurve& curve, double creep) {
+  const Prescribed given{Quantity::creep, creep};
+  return solve_coupled(curve.scene, curve.formulation, curve.tolerance, given).value;
+}
+
+/// The solution in full slip, on a grid that agrees with the one before; no newton_steps if none of
+/// up to 160 unknowns does, or there is no contact.
+GridSolution resolved(const HalfCurve& curve, double creep) {
+  GridSolution last;
+  for (int n = 20; n <= 160; n *= 2) {
+    const GridSolution now = solve_slipping_grid(curve.scene, curve.formulation, n, creep, last);
+    const bool contact =
+        now.newton_steps > 0 && now.value(Quantity::load_ratio) > 0 && now.violations.empty();
+    const Results change = (now.value - last.value).abs() / scale_of(now.value);
+    if (contact && last.newton_steps > 0 && change.head(compared).maxCoeff() < curve.tolerance)
+      return now;
+    last = now;
+  }
+  last.newton_steps = 0;
+  return last;
+}
+
 constexpr int law_nodes = 9;
 
 struct LawSamples {
-  double traction[law_nodes], temperature[law_nodes];
-  double traction_error = 0, temperature_error = 0;  // the largest of the solutions
+  double traction[law_nodes], temperature[law_nodes], slip_length[law_nodes];
 };
 
 double node(int k) { return std::cos(pi * (k + 0.5) / law_nodes); }
@@ -35,15 +56,11 @@ LawSamples sample(const HalfCurve& curve, double from, double to) {
   LawSamples y;
   for (int k = 0; k < law_nodes; ++k) {
     const double z = (from + to + (to - from) * node(k)) / 2, creep = curve.creep(z);
-    const CoupledSolution x = solve_coupled(curve.scene, curve.formulation, curve.tolerance,
-                                            {Quantity::creep, creep});
-    const bool sticks = z < 1, grows = !sticks && !curve.scene.law;
-    const double per = sticks ? creep : 1, over = grows ? creep / curve.all_slips : 1;
-    y.traction[k] = x.value(Quantity::traction) / per;
-    y.temperature[k] = x.value(Quantity::max_temperature) / over;
-    y.traction_error = std::max(y.traction_error, x.error(Quantity::traction));
-    y.temperature_error =
-        std::max(y.temperature_error, x.error(Quantity::max_temperature) / over);
+    const Results x = z < 1 ? partial_slip(curve, creep) : resolved(curve, creep).value;
+    const bool sticks = z < 1;
+    y.traction[k] = x(Quantity::traction) / (sticks ? creep : 1);
+    y.temperature[k] = x(Quantity::max_temperature) / (sticks ? 1 : creep / curve.all_slips);
+    y.slip_length[k] = sticks ? x(Quantity::slip_length) / (z * z) : 2;
   }
   return y;
 }
@@ -67,55 +84,52 @@ struct Errors {
   double traction = 0, temperature = 0;
 };
 
+/// Add the pieces from z = from to z = to; scale is the temperature at z = 1.
 void add_pieces(const HalfCurve& curve, double from, double to, double scale, LawHalf& half,
                 Errors& errors) {
   const LawSamples y = sample(curve, from, to);
-  const LawPiece piece{from, to, chebyshev(y.traction), chebyshev(y.temperature)};
-  const double per = from < 1 ? curve.creep(std::min(to, 1.0)) : 1;
+  const LawPiece piece{from, to, chebyshev(y.traction), chebyshev(y.temperature),
+                       chebyshev(y.slip_length)};
+  const double per = to <= 1 ? curve.creep(to) : 1;
   const double traction = left_out(piece.traction) * per;
-  const double warmest = *std::max_element(std::begin(y.temperature), std::end(y.temperature));
-  const double against = from < 1 ? std::max(scale, warmest) : warmest;
-  const double temperature = left_out(piece.temperature) / against;
-  const double allowed = 0.5 * curve.tolerance * 10;
-  if ((traction > allowed || temperature > allowed) && to - from > 1e-3) {
+  const double temperature = left_out(piece.temperature) / scale;
+  const double border = left_out(piece.slip_length);
+  if (std::max({traction, temperature, border}) > 5 * curve.tolerance && to - from > 0.02) {
     const double middle = (from + to) / 2;
     add_pieces(curve, from, middle, scale, half, errors);
     add_pieces(curve, middle, to, scale, half, errors);
     return;
   }
   half.pieces.push_back(piece);
-  errors.traction = std::max(errors.traction, traction + y.traction_error);
-  errors.temperature = std::max(errors.temperature, temperature + y.temperature_error / against);
+  errors.traction = std::max(errors.traction, traction + curve.tolerance);
+  errors.temperature = std::max(errors.temperature, temperature + curve.tolerance);
 }
 
-/// The end of the curve in z: 2, or where there is no contact any more, found by halving.
+/// The end of the curve in z: 2, or where there is no solution any more, found by halving.
 double end_of(const HalfCurve& curve) {
-  const auto contact = [&](double z) {
-    const GridSolution x =
-        solve_slipping_grid(curve.scene, curve.formulation, 40, curve.creep(z), {});
-    return x.newton_steps > 0 && x.value(Quantity::load_ratio) > 0 && x.violations.empty();
-  };
-  if (contact(1.999)) return 2;
+  const auto ends = [&](double z) { return resolved(curve, curve.creep(z)).newton_steps == 0; };
+  if (!ends(1.999)) return 2;
   double low = 1, high = 1.999;
   for (int halving = 0; halving < 12; ++halving) {
     const double middle = (low + high) / 2;
-    (contact(middle) ? low : high) = middle;
+    (ends(middle) ? high : low) = middle;
   }
   return low;
 }
 
 LawHalf half_law(const HalfCurve& curve, Errors& errors) {
   LawHalf half{curve.all_slips, {}, std::numeric_limits<double>::infinity(), ""};
-  const CoupledSolution middle = solve_coupled(curve.scene, curve.formulation, curve.tolerance,
-                                               {Quantity::creep, curve.all_slips});
-  const double scale = middle.value(Quantity::max_temperature);
+  const GridSolution one = resolved(curve, curve.all_slips);
+  const double scale = one.value(Quantity::max_temperature);
   add_pieces(curve, 0, 1, scale, half, errors);
   const double end = end_of(curve);
   if (end < 2) {
     half.last_creep = curve.creep(end);
-    half.reason = "contact is lost";
+    half.reason = "contact is lost, or not resolved";
   }
-  if (end > 1) add_pieces(curve, 1, end, scale, half, errors);
+  const double middle = std::min(end, 1.9);
+  if (end > 1) add_pieces(curve, 1, middle, scale, half, errors);
+  if (end > middle) add_pieces(curve, middle, end, scale, half, errors);
   return half;
 }
 
@@ -141,7 +155,7 @@ Series clenshaw(const std::vector<double>& c, double x) {
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance) {
   check(scene);
   require(1e-8 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-8 to 1e-2");
-  CreepLaw law{{}, {}, !scene.law, 0, 0};
+  CreepLaw law{{}, {}, 0, 0};
   Errors errors;
   for (const Direction direction : {Direction::driving, Direction::braking}) {
     HalfCurve curve{scene, formulation, tolerance / 10, 0};
@@ -170,9 +184,11 @@ LawValue evaluate(const CreepLaw& law, double creep) {
   const double per_z = 2 / (piece.to - piece.from);
   const double x = std::clamp(per_z * (z - piece.from) - 1, -1.0, 1.0);
   const Series q = clenshaw(piece.traction, x), t = clenshaw(piece.temperature, x);
-  if (sticks) return {sign * size * q.value, q.value + z * per_z * q.slope / 2, t.value};
-  const double grown = law.grows ? size / one : 1;
-  return {sign * q.value, one / (size * size) * per_z * q.slope, t.value * grown};
+  if (sticks) {
+    const double slip_length = z * z * clenshaw(piece.slip_length, x).value;
+    return {sign * size * q.value, q.value + z * per_z * q.slope / 2, t.value, 1 - slip_length};
+  }
+  return {sign * q.value, one / (size * size) * per_z * q.slope, t.value * size / one, -1};
 }
 
 }  // namespace thermoroll

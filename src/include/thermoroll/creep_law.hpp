@@ -12,7 +12,7 @@ namespace thermoroll {
 /// Polynomials of a law on from < z < to, as Chebyshev coefficients.
 struct LawPiece {
   double from, to;
-  std::vector<double> traction, temperature;
+  std::vector<double> traction, temperature, slip_length;
 };
 
 /// Half of a law: its pieces from z = 0 on, and its end.
@@ -23,17 +23,19 @@ struct LawHalf {
   std::string reason;  ///< why it ends; empty if it does not
 };
 
-/// Traction and largest temperature at a creep; dimensionless, signs as the creep's.
+/// A law at a creep; dimensionless, the traction with the creep's sign.
 struct LawValue {
-  double traction, slope, temperature;  ///< Q*, dQ*/dxi*, T*
+  double traction, slope;  ///< Q*, dQ*/dxi*
+  double temperature;      ///< the largest T*
+  double border;           ///< c0, -1 in full slip
 };
 
 /// Q* and T*max of a scene for any creep xi*, with errors that hold everywhere.
 struct CreepLaw {
   LawHalf driving, braking;
-  bool grows;  ///< whether the temperature grows with the creep, as friction is constant
-  double traction_error;     ///< absolute
-  double temperature_error;  ///< over the largest T* at which anything sticks, or over T* beyond
+  double traction_error;  ///< absolute
+  /// Over the T* at which the stick zone vanishes; in full slip times xi* / xi1* of @eq:law-variable.
+  double temperature_error;
 };
 
 /// The law of a scene, for both directions, whose errors are about the tolerance, from 1e-8 to
