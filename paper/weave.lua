@@ -541,15 +541,17 @@ local function coloured_once(text, language)
   return html
 end
 
---- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link. Operators have
---- no colour of their own, and their tags would be a quarter of the report.
+--- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link. Operators,
+--- functions, attributes and numbers have no colour of their own; their tags would be a quarter of the report.
 local function highlighted(lines, language, colour)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
   local out = {}
   for line in (colour(text, language) .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
-    inside = inside:gsub('<span class="op">([^<]*)</span>', "%1")
+    for _, plain in ipairs { "op", "bu", "fu", "at", "dv", "fl" } do
+      inside = inside:gsub('<span class="' .. plain .. '">([^<]*)</span>', "%1")
+    end
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
       return refers(id) and referred(id) or "@" .. id
     end)))

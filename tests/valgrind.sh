@@ -15,15 +15,15 @@ checked() {
   [ $status -eq "$expected" ] || fail "status $status: $(head -c 3000 err)"
 }
 
-paper_case=(--friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175)
+paper_scene=(--friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175)
 awk 'BEGIN {
   print "friction,traction,peclet,heating,method"
   for (i = 1; i <= 40; ++i) printf "%g,%g,%g,%g,\n", 0.6, 0.01 * i + 0.1, 10^(i % 5), i / 40
   print "0.6,0.5,100,0,closed-form"; print "0.6,0.7,100,0,"; print "0.6"
 }' >scenes.csv
-checked 0 solve "${paper_case[@]}" --profile p.csv --format json
-checked 0 solve "${paper_case[@]}" --method closed-form
-checked 0 solve "${paper_case[@]}" --method gauss-chebyshev --nodes 50
-checked 0 temperature "${paper_case[@]}" --at -1:3:9
-checked 2 solve "${paper_case[@]}" --creep 1
+checked 0 solve "${paper_scene[@]}" --profile p.csv --format json
+checked 0 solve "${paper_scene[@]}" --method closed-form
+checked 0 solve "${paper_scene[@]}" --method gauss-chebyshev --nodes 50
+checked 0 temperature "${paper_scene[@]}" --at -1:3:9
+checked 2 solve "${paper_scene[@]}" --creep 1
 checked 4 sweep --jobs 3

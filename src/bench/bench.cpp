@@ -11,7 +11,7 @@
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 #include "studies/comparison.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 
 using namespace thermoroll;

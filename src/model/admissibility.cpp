@@ -1,6 +1,7 @@
 // Tangled from paper/04-integral-equations.md; edit there.
 #include "thermoroll/admissibility.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace thermoroll {
@@ -41,6 +42,11 @@ std::vector<Violation> violations(const Factors& at) {
   add(found, "traction below -friction", at.s, (at.s < at.border).select(other_limit, 1));
   if (!(at.load_ratio > 0)) found.push_back({"no load", -1, 1});
   return found;
+}
+
+bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.what == y.what; });
 }
 
 }  // namespace thermoroll

@@ -21,6 +21,11 @@ Scene scene_of(const PhysicalScene& si, double friction) {
     scene.roller = {si.conductivity_2 / si.conductivity,
                     heating(si.expansion_2, si.conductivity_2)};
   scene.direction = si.direction;
+  const double unit = units_of(si, friction).temperature;
+  if (si.law) {
+    const auto& [scale, floor, reference] = si.law->of;
+    scene.law = LawOfFriction{si.law->kind, {scale / unit, floor, reference / unit}};
+  }
   return scene;
 }
 
@@ -50,6 +55,7 @@ void check(const Scene& scene) {
   require(roller.conductivity_ratio >= 0, "conductivity-ratio", roller.conductivity_ratio,
           "zero or positive");
   require(roller.heating >= 0, "heating-2", roller.heating, "zero or positive");
+  if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
 }
 
 void check_but_half_width(const PhysicalScene& si) {
@@ -62,6 +68,9 @@ void check_but_half_width(const PhysicalScene& si) {
   require(si.conductivity > 0, "conductivity", si.conductivity, "positive");
   require(si.expansion_2 >= 0, "expansion-2", si.expansion_2, "zero or positive");
   require(si.conductivity_2 >= 0, "conductivity-2", si.conductivity_2, "zero or positive");
+  const double bulk = si.bulk_temperature.value_or(0);
+  require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
+  if (si.law) check(*si.law);
 }
 
 void check(const PhysicalScene& si) {

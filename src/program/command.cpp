@@ -43,7 +43,7 @@ double between(double a, double b, double i, double n) {
   return std::isfinite(s) ? s : a * (1 - i / n) + b * (i / n);
 }
 
-/// The text of a case file without its byte-order mark. Throws std::invalid_argument.
+/// The text of a scene file without its byte-order mark. Throws std::invalid_argument.
 std::string read_all(std::istream& in) {
   constexpr std::size_t longest = 100000;
   const std::string mark = "\xEF\xBB\xBF";
@@ -51,7 +51,7 @@ std::string read_all(std::istream& in) {
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > longest)
-    throw std::invalid_argument("the case file has more than " + std::to_string(longest) +
+    throw std::invalid_argument("the scene file has more than " + std::to_string(longest) +
                                 " bytes");
   return text.substr(text.find(mark) == 0 ? mark.size() : 0);
 }
@@ -61,7 +61,7 @@ CLI::Validator readable_file() {
             std::error_code none;
             if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none))
               return "";
-            throw std::invalid_argument("cannot read the case file " + file);
+            throw std::invalid_argument("cannot read the scene file " + file);
           },
           ""};
 }
@@ -78,9 +78,9 @@ const CLI::App* subcommand(const CLI::App& program, const std::string& name) {
   return nullptr;
 }
 
-class CaseFile : public CLI::ConfigBase {
+class SceneFile : public CLI::ConfigBase {
  public:
-  explicit CaseFile(const CLI::App& program) : program_(program) {}
+  explicit SceneFile(const CLI::App& program) : program_(program) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
     std::istringstream text(read_all(in));
@@ -94,10 +94,10 @@ class CaseFile : public CLI::ConfigBase {
       const CLI::App* command =
           item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
       if (command == nullptr || !is_key(*command, item.name))
-        throw std::invalid_argument("the case file sets what is no option for it: " +
+        throw std::invalid_argument("the scene file sets what is no option for it: " +
                                     (item.parents == here ? item.name : item.fullname()));
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
-        throw std::invalid_argument("the case file gives " + item.name + " more than once");
+        throw std::invalid_argument("the scene file gives " + item.name + " more than once");
       known.push_back(item);
     }
     return known;
@@ -107,14 +107,14 @@ class CaseFile : public CLI::ConfigBase {
   const CLI::App& program_;
 };
 
-void say_what_is_unused(const CaseOptions& o) {
+void say_what_is_unused(const SceneOptions& o) {
   const bool scheme = value_of(method_names, o.method) == Method::gauss_chebyshev;
   if (scheme ? o.tolerance.has_value() : o.nodes.has_value())
     std::fprintf(stderr, "thermoroll: note: %s makes no difference to --method %s\n",
                  scheme ? "--tolerance" : "--nodes", o.method.c_str());
 }
 
-void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const CaseOptions& o) {
+void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const SceneOptions& o) {
   require_contact(x);
   if (physical)
     for (const std::string& note : physical->notes)
@@ -153,8 +153,8 @@ void print_trace(const std::vector<GridStep>& trace) {
                  text(x.tail).c_str(), text(x.change).c_str(), text(x.estimate).c_str());
 }
 
-SolvedCase solve_traced(const Options& o) try {
-  return solve_case(read_case(o.of_case));
+SolvedScene solve_traced(const Options& o) try {
+  return solve_scene(read_scene(o.of_scene));
 } catch (const NotResolved& failure) {
   if (o.trace) print_trace(failure.trace);
   throw;
@@ -170,14 +170,14 @@ void run_solve(const Options& o) {
   if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
   deliver(answers);
   if (o.trace) print_trace(x.trace);
-  conclude(x, physical, o.of_case);
+  conclude(x, physical, o.of_scene);
 }
 
 void run_temperature(const Options& o) {
   const std::vector<double> at = read_points(o.at);
-  const auto [x, units, physical] = solve_case(read_case(o.of_case));
+  const auto [x, units, physical] = solve_scene(read_scene(o.of_scene));
   deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
-  conclude(x, physical, o.of_case);
+  conclude(x, physical, o.of_scene);
 }
 
 void run_figure_data(const Options& o) {
@@ -226,7 +226,7 @@ void add_output(CLI::App& command, Options& o) {
 
 void add_solve(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("solve", "Solve one scene and print the result");
-  add_case_options(command, o.of_case);
+  add_scene_options(command, o.of_scene);
   add_format(command, o);
   command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
       ->type_name("FILE");
@@ -236,7 +236,7 @@ void add_solve(CLI::App& program, Options& o) {
 
 void add_temperature(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
-  add_case_options(command, o.of_case);
+  add_scene_options(command, o.of_scene);
   command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
       ->type_name("POINTS")
       ->required();
@@ -279,6 +279,8 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
   thermoroll solve --friction 0.6 --traction -0.5 --peclet 4360 --heating 0.0175 --roller identical
+  thermoroll solve --friction 0.6 --creep 0.5 --peclet 100 --heating 0.0175 \
+    --friction-law linear --friction-temperature 0.02
   thermoroll solve --config wheel.toml --traction 0.4
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
@@ -286,7 +288,13 @@ Methods: auto takes the least of the next three that meets the tolerance; couple
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
 gauss-chebyshev is the published scheme and has no error estimate.
-Temperatures in degree C are rises above ambient. Unless --roller says otherwise, all heat goes into
+With theta the rise above the reference temperature over --friction-temperature, friction is f times
+max(floor, 1 - theta) for the law linear, floor + (1 - floor) exp(-theta) for exponential,
+floor + (1 - floor) / (1 + theta) for rational and 1 + (floor - 1) min(theta, 1) for
+piecewise-linear, whose floor may be above 1; where theta < 0 it is f. For linear a negative
+--friction-temperature makes friction rise.
+Temperatures in degree C are rises above ambient, but contact_temperature_celsius, which is there
+where --bulk-temperature is given. Unless --roller says otherwise, all heat goes into
 one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
@@ -372,7 +380,7 @@ Command read_command(const std::vector<std::string>& arguments) {
   program.set_config("--config", "", "read a scene from this file (TOML or INI)")
       ->type_name("FILE")
       ->check(readable_file());
-  program.config_formatter(std::make_shared<CaseFile>(program));
+  program.config_formatter(std::make_shared<SceneFile>(program));
   program.allow_config_extras(CLI::config_extras_mode::error);
   program.require_subcommand(1)->fallthrough();
   for (const auto add : {add_solve, add_sweep, add_temperature, add_figure_data, add_claims})

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "program/case_options.hpp"
+#include "program/scene_options.hpp"
 
 namespace thermoroll {
 
 /// What the subcommands are told.
 struct Options {
-  CaseOptions of_case;
+  SceneOptions of_scene;
   std::string at, name, times, format = "text", output, profile;
   double depth = 0;
   std::optional<int> jobs;
@@ -26,7 +26,7 @@ struct Command {
   std::string text;
 };
 
-/// Read a command line, without the program's name, and the case file that it names. Throws
+/// Read a command line, without the program's name, and the scene file that it names. Throws
 /// std::invalid_argument.
 Command read_command(const std::vector<std::string>& arguments);
 

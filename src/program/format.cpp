@@ -50,6 +50,36 @@ void share_heat(json& o, const Scene& scene, const Results& x) {
   o["heat_2"] = scene.roller.conductivity_ratio * heat;
 }
 
+void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {
+  const auto* law = scene.law.target<LawOfFriction>();
+  std::optional<LawKind> kind;
+  if (law != nullptr) kind = law->kind;
+  const bool own = scene.law && law == nullptr;
+  o["friction_law"] = own ? "own" : name_of(law_names, kind);
+  o["friction_temperature"] = law != nullptr ? json(law->of.scale) : json();
+  o["friction_floor"] = law != nullptr ? json(law->of.floor) : json();
+  o["friction_reference_temperature"] = law != nullptr ? json(law->of.reference) : json();
+  const bool branched = found != nullptr && found->branch;
+  o["branch"] = branched ? json(name_of(branch_names, *found->branch)) : json();
+}
+
+/// Put in the values, and their errors where there is an object for them.
+void add_limits(json& o, json* error, const Solution& x) {
+  const auto* found = std::get_if<CoupledSolution>(&x.found);
+  const std::optional<Estimate> least = least_friction(x);
+  const bool limited = found != nullptr && found->limit;
+  const double sign = sign_of(x.scene.direction);
+  const auto put = [&](const char* key, bool there, double value, double of_it) {
+    o[key] = there ? json(value) : json();
+    if (error != nullptr) (*error)[key] = there ? json(of_it) : json();
+  };
+  const Estimate friction = least.value_or(Estimate{});
+  const TractionLimit limit = limited ? *found->limit : TractionLimit{};
+  put("friction_min", least.has_value(), friction.value, friction.error);
+  put("traction_limit", limited, sign * limit.traction, limit.traction_error);
+  put("creep_at_traction_limit", limited, sign * limit.creep, limit.creep_error);
+}
+
 template <class T, std::size_t n>
 json object(const Row<T> (&rows)[n], const T& values) {
   json o;
@@ -63,8 +93,26 @@ json object(const Results& values) {
   return o;
 }
 
+/// The objects of data in SI units.
+void add_physical(json& o, const FoundInSi& physical) {
+  const char* contact = "contact_temperature_celsius";
+  const std::optional<double>& temperature = physical.contact_temperature_celsius;
+  json values = object(physical_rows, physical.value), error;
+  values[contact] = temperature ? json(*temperature) : json();
+  if (physical.error) {
+    error = object(physical_rows, *physical.error);
+    error[contact] = temperature ? json(physical.error->max_temperature_celsius) : json();
+  }
+  values["error_estimate"] = error;
+  o["physical"] = values;
+  o["notes"] = physical.notes;
+}
+
+/// Whether the whole contact slips.
+bool all_slips(const Solution& x) { return x.value(Quantity::stick_slip_border) == -1; }
+
 json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
-  json o;
+  json o, error = x.error ? object(*x.error) : json();
   const auto* scheme = std::get_if<PublishedSolution>(&x.found);
   o["method"] = name_of(method_names, x.approach.method);
   o["model"] = scheme ? json() : json(name_of(model_names, *x.model));
@@ -81,11 +129,14 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["direction"] = name_of(direction_names, x.scene.direction);
   o["heating_2"] = insulated ? json() : json(x.scene.roller.heating);
   o["conductivity_ratio"] = insulated ? json() : json(x.scene.roller.conductivity_ratio);
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  describe_law(o, x.scene, coupled);
   o.update(object(x.value));
   share_heat(o, x.scene, x.value);
+  if (x.error) share_heat(error, x.scene, *x.error);
   o["heat_partition"] = heat_share(x.scene);
-  o["full_slip"] = x.value(Quantity::stick_slip_border) == -1;
-  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  o["full_slip"] = all_slips(x);
+  add_limits(o, x.error ? &error : nullptr, x);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
   o["inner_iterations"] = scheme ? scheme->inner_iterations : 0;
   o["unknowns"] = coupled ? json(coupled->unknowns) : json();
@@ -95,14 +146,8 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["violations"] = json::array();
   for (const auto& [what, from, to] : x.violations)
     o["violations"].push_back({{"what", what}, {"from", from}, {"to", to}});
-  o["error_estimate"] = x.error ? object(*x.error) : json();
-  if (x.error) share_heat(o["error_estimate"], x.scene, *x.error);
-  if (physical) {
-    o["physical"] = object(physical_rows, physical->value);
-    o["physical"]["error_estimate"] =
-        physical->error ? object(physical_rows, *physical->error) : json();
-    o["notes"] = physical->notes;
-  }
+  o["error_estimate"] = error;
+  if (physical) add_physical(o, *physical);
   return o;
 }
 
@@ -157,11 +202,24 @@ void flatten(const json& o, const std::string& prefix, std::vector<Field>& field
       fields.push_back({prefix + key, csv_cell(value)});
 }
 
-void leave_out_pair(json& o) {
-  for (const char* key : {"roller", "direction", "heating_2", "conductivity_ratio", "heat_1",
-                          "heat_2", "heat_partition", "full_slip"})
+void erase_keys(json& o, const std::vector<const char*>& keys) {
+  for (const char* key : keys) {
     o.erase(key);
-  for (const char* key : {"heat_1", "heat_2"}) o["error_estimate"].erase(key);
+    o["error_estimate"].erase(key);
+  }
+}
+
+void leave_out(json& o, const MoreColumns& with) {
+  if (!with.roller)
+    erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "heat_1", "heat_2",
+                   "heat_partition"});
+  if (!with.law)
+    erase_keys(o, {"friction_law", "friction_temperature", "friction_floor",
+                   "friction_reference_temperature", "branch", "friction_min", "traction_limit",
+                   "creep_at_traction_limit"});
+  if (!with.roller && !with.law) o.erase("full_slip");
+  if (!with.bulk && o.contains("physical"))
+    erase_keys(o["physical"], {"contact_temperature_celsius"});
 }
 
 struct ProfileColumn {
@@ -206,6 +264,29 @@ std::string remark(const Solution& x, bool celsius) {
   return text;
 }
 
+struct TextRow {
+  const char *name, *symbol;
+  double value, error;
+  int significant;
+  const char* unit;
+};
+
+void add_row(Table& table, const TextRow& x) {
+  table.push_back({x.name, x.symbol, digits(x.value, x.significant),
+                   x.error > 0 ? digits(x.error, 1) : "", x.unit});
+}
+
+void add_physical(Table& table, const FoundInSi& physical) {
+  for (const auto& row : physical_rows) {
+    const double error = physical.error ? *physical.error.*row.value : 0;
+    add_row(table, {row.name, row.symbol, physical.value.*row.value, error, 6, row.unit});
+  }
+  if (!physical.contact_temperature_celsius) return;
+  const double error = physical.error ? physical.error->max_temperature_celsius : 0;
+  const double temperature = *physical.contact_temperature_celsius;
+  add_row(table, {"contact_temperature_celsius", "", temperature, error, 6, "degree C"});
+}
+
 std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical) {
   Table table{{"quantity", "symbol", "value", "error", "unit"}};
   const json o = to_json(x, physical);
@@ -231,17 +312,21 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     plain("heat_partition", "omega");
   }
   if (x.scene.direction == Direction::braking) plain("direction", "");
+  if (x.scene.law) {
+    plain("friction_law", "");
+    plain("friction_temperature", "T0*");
+    plain("friction_floor", "");
+    plain("friction_reference_temperature", "T*ref");
+  }
+  if (!o["branch"].is_null()) plain("branch", "");
+  if (all_slips(x)) plain("full_slip", "");
   for (const auto& [quantity, key, symbol] : reported) {
     const double error = x.error ? (*x.error)(quantity) : 0;
-    table.push_back({key, symbol, digits(x.value(quantity), x.error ? 9 : 6),
-                     error > 0 ? digits(error, 1) : "", ""});
+    add_row(table, {key, symbol, x.value(quantity), error, x.error ? 9 : 6, ""});
   }
-  if (physical)
-    for (const auto& row : physical_rows) {
-      const double error = physical->error ? *physical->error.*row.value : 0;
-      table.push_back({row.name, row.symbol, digits(physical->value.*row.value, 6),
-                       error > 0 ? digits(error, 1) : "", row.unit});
-    }
+  for (const char* key : {"friction_min", "traction_limit", "creep_at_traction_limit"})
+    if (!o[key].is_null()) add_row(table, {key, "", o[key], o["error_estimate"][key], 9, ""});
+  if (physical) add_physical(table, *physical);
   if (x.approach.method == Method::gauss_chebyshev)
     for (const char* name : {"nodes", "outer_iterations", "inner_iterations", "converged"})
       plain(name, "");
@@ -266,16 +351,20 @@ json claims_json(const Table& table) {
 }  // namespace
 
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
-                              bool with_pair) {
+                              const MoreColumns& with) {
   require_finite(x, physical);
   json o = to_json(x, physical);
   if (!x.error) {
     for (const Reported& row : reported) o["error_estimate"][row.key] = nullptr;
-    for (const char* key : {"heat_1", "heat_2"}) o["error_estimate"][key] = nullptr;
+    for (const char* key :
+         {"heat_1", "heat_2", "friction_min", "traction_limit", "creep_at_traction_limit"})
+      o["error_estimate"][key] = nullptr;
   }
-  if (!with_pair) leave_out_pair(o);
-  if (physical && !physical->error)
+  if (physical && !physical->error) {
     for (const auto& row : physical_rows) o["physical"]["error_estimate"][row.name] = nullptr;
+    o["physical"]["error_estimate"]["contact_temperature_celsius"] = nullptr;
+  }
+  leave_out(o, with);
   std::vector<Field> fields;
   flatten(o, "", fields);
   return fields;
@@ -324,8 +413,9 @@ std::string present(const Solution& x, const std::optional<FoundInSi>& physical,
   if (format == Format::text) return to_text(x, physical);
   if (format == Format::json) return to_json(x, physical).dump(2) + '\n';
   std::string header, cells;
-  const bool with_pair = kind_of(x.scene) != RollerKind::insulated;
-  for (const Field& field : csv_fields(x, physical, with_pair)) {
+  const MoreColumns with{kind_of(x.scene) != RollerKind::insulated, static_cast<bool>(x.scene.law),
+                         physical && physical->contact_temperature_celsius};
+  for (const Field& field : csv_fields(x, physical, with)) {
     const char* comma = header.empty() ? "" : ",";
     header.append(comma).append(field.name);
     cells.append(comma).append(field.cell);

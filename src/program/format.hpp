@@ -19,11 +19,17 @@ struct Field {
   std::string name, cell;
 };
 
+/// Which columns a table has that insulated rollers, constant friction and an unknown bulk
+/// temperature do without.
+struct MoreColumns {
+  bool roller = false, law = false, bulk = false;
+};
+
 /// The names and cells of a solution as CSV; the names depend on nothing but whether there are
-/// physical results and whether those keys are wanted that insulated rollers do without. Throws
-/// NotConverged where a number of it is not finite.
+/// physical results and which columns are wanted. Throws NotConverged where a number of it is not
+/// finite.
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
-                              bool with_pair);
+                              const MoreColumns& with);
 
 /// A text as a cell of CSV: between quotes where it must be.
 std::string quoted(std::string text);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,15 @@ inline constexpr Name<RollerKind> roller_names[] = {{"insulated", RollerKind::in
                                                     {"conducting", RollerKind::conducting}};
 inline constexpr Name<Direction> direction_names[] = {{"driving", Direction::driving},
                                                       {"braking", Direction::braking}};
+
+inline constexpr Name<std::optional<LawKind>> law_names[] = {
+    {"constant", std::nullopt},
+    {"linear", LawKind::linear},
+    {"exponential", LawKind::exponential},
+    {"rational", LawKind::rational},
+    {"piecewise-linear", LawKind::piecewise_linear}};
+inline constexpr Name<Branch> branch_names[] = {{"rising", Branch::rising},
+                                                {"falling", Branch::falling}};
 
 enum class Format { text, json, csv };
 inline constexpr Name<Format> format_names[] = {

@@ -30,8 +30,8 @@ namespace thermoroll {
 namespace {
 
 struct RowOptions {
-  RowOptions() { add_case_options(row, values); }
-  CaseOptions values;
+  RowOptions() { add_scene_options(row, values); }
+  SceneOptions values;
   CLI::App row;
 };
 
@@ -245,8 +245,8 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-CaseOptions read_row(const std::vector<std::string>& columns,
-                     const std::vector<std::string>& cells) {
+SceneOptions read_row(const std::vector<std::string>& columns,
+                      const std::vector<std::string>& cells) {
   if (cells.size() != columns.size())
     throw std::invalid_argument("the row has " + std::to_string(cells.size()) +
                                 " cells and the header " + std::to_string(columns.size()));
@@ -266,10 +266,11 @@ CaseOptions read_row(const std::vector<std::string>& columns,
 
 SweepTable table_of(const std::string& header) {
   SweepTable t{read_header(header), {}};
-  t.with_pair = place("roller", t.columns) < t.columns.size();
+  const auto has = [&](const char* name) { return place(name, t.columns) < t.columns.size(); };
+  t.with = {has("roller"), has("friction-law"), has("bulk-temperature")};
   std::optional<FoundInSi> physical;
   if (std::any_of(t.columns.begin(), t.columns.end(), is_si_option)) physical.emplace();
-  for (const Field& field : csv_fields(Solution{}, physical, t.with_pair))
+  for (const Field& field : csv_fields(Solution{}, physical, t.with))
     t.fields.push_back(field.name);
   return t;
 }
@@ -283,8 +284,8 @@ SweepRow answer(const SweepTable& table, const std::string& line) {
                                   " characters");
     if (line.find('\0') != std::string::npos)
       throw std::invalid_argument("the row holds a null character");
-    const SolvedCase x = solve_case(read_case(read_row(table.columns, cells)));
-    found = csv_fields(x.solution, x.physical, table.with_pair);
+    const SolvedScene x = solve_scene(read_scene(read_row(table.columns, cells)));
+    found = csv_fields(x.solution, x.physical, table.with);
     require_contact(x.solution);
     return {with_results(table, cells, found, "0", ""), true};
   } catch (const std::exception& error) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "program/case_options.hpp"
 #include "program/format.hpp"
+#include "program/scene_options.hpp"
 
 namespace thermoroll {
 
@@ -24,11 +24,10 @@ SweepCount sweep(int file, int jobs, bool progress);
 /// Rows and errors, rows per second, and the most memory that the process had so far.
 std::string summary(const SweepCount& x);
 
-/// The columns of a table: those read, and the names of the fields that a solved row has, with or
-/// without those that insulated rollers do without.
+/// The columns of a table: those read, and the names of the fields that a solved row has.
 struct SweepTable {
   std::vector<std::string> columns, fields;
-  bool with_pair = false;
+  MoreColumns with{};
 };
 
 /// The columns of a table with this header. Throws std::invalid_argument.
@@ -38,8 +37,8 @@ SweepTable table_of(const std::string& header);
 std::vector<std::string> cells_of(const std::string& line);
 
 /// What the cells of a row say. Throws std::invalid_argument.
-CaseOptions read_row(const std::vector<std::string>& columns,
-                     const std::vector<std::string>& cells);
+SceneOptions read_row(const std::vector<std::string>& columns,
+                      const std::vector<std::string>& cells);
 
 /// A row of results and whether it is without an error.
 struct SweepRow {

@@ -24,9 +24,9 @@ using enum Quantity;
 namespace {
 
 /// The traction-creep curve on grids of n unknowns, by the parameter of @eq:curve-parameter.
-class Curve {
+class CreepCurve {
  public:
-  Curve(const Scene& scene, Formulation formulation, int n)
+  CreepCurve(const Scene& scene, Formulation formulation, int n)
       : scene_(scene), formulation_(formulation), n_(n) {
     all_slips_ = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
   }
@@ -42,19 +42,19 @@ class Curve {
   double all_slips_;
 };
 
-struct CurvePoint {
+struct OnCurve {
   double rho;
   GridSolution solution;
   double traction() const { return solution.value(Quantity::traction); }
 };
 
-std::vector<CurvePoint> walk(const Curve& curve, double friction, double asked) {
-  std::vector<CurvePoint> points;
+std::vector<OnCurve> walk(const CreepCurve& curve, double friction, double asked) {
+  std::vector<OnCurve> points;
   const double little = std::min(0.003, 0.1 * asked / friction);  // a fifth of Carter's
   for (double rho : {little, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5,  0.6,  0.7,  0.8,  0.9,
                      0.97,   1.0,  1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
     const bool starts = points.empty() || rho == 1;
-    const CurvePoint now{rho, curve.at(rho, starts ? GridSolution{} : points.back().solution)};
+    const OnCurve now{rho, curve.at(rho, starts ? GridSolution{} : points.back().solution)};
     if (now.solution.newton_steps == 0) continue;
     const bool falls = !points.empty() && now.traction() < points.back().traction();
     points.push_back(now);
@@ -64,7 +64,7 @@ std::vector<CurvePoint> walk(const Curve& curve, double friction, double asked) 
 }
 
 struct Search {
-  const Curve& curve;
+  const CreepCurve& curve;
   GridSolution last;
 };
 
@@ -75,8 +75,8 @@ double less_traction(double rho, void* search) {
 }
 
 /// Put the highest point between its neighbours; its index.
-std::size_t add_highest(const Curve& curve, std::vector<CurvePoint>& points) {
-  const auto higher = [](const CurvePoint& a, const CurvePoint& b) {
+std::size_t add_highest(const CreepCurve& curve, std::vector<OnCurve>& points) {
+  const auto higher = [](const OnCurve& a, const OnCurve& b) {
     return a.traction() < b.traction();
   };
   const auto best = std::max_element(points.begin(), points.end(), higher);
@@ -96,17 +96,18 @@ std::size_t add_highest(const Curve& curve, std::vector<CurvePoint>& points) {
     if (gsl_min_fminimizer_x_upper(brent) - gsl_min_fminimizer_x_lower(brent) < 1e-3) break;
   }
   gsl_min_fminimizer_free(brent);
-  const CurvePoint highest{rho, curve.at(rho, best->solution)};
+  const OnCurve highest{rho, curve.at(rho, best->solution)};
   if (highest.traction() <= best->traction()) return index;
-  points.insert(rho < best->rho ? best : best + 1, highest);
-  return rho < best->rho ? index : index + 1;
+  const bool before = rho < best->rho;
+  points.insert(before ? best : best + 1, highest);
+  return before ? index : index + 1;
 }
 
 struct Extremum {
   double traction, creep;
 };
 
-Extremum extremum(const Curve& curve, double rho, GridSolution near) {
+Extremum extremum(const CreepCurve& curve, double rho, GridSolution near) {
   const double room = std::min({rho, std::abs(1 - rho), 2 - rho}), reach = std::min(0.05, room / 2);
   if (room < 1e-3) {  // where the stick zone vanishes
     const GridSolution corner = curve.at(1, {});
@@ -130,12 +131,12 @@ Extremum extremum(const Curve& curve, double rho, GridSolution near) {
 }
 
 TractionLimit traction_limit(const Scene& scene, Formulation formulation, double tolerance,
-                             const CurvePoint& near) {
+                             const OnCurve& near) {
   Extremum last{0, 0};
   for (int n = 20; n <= most_unknowns; n *= 2) {
     GridSolution start;
     if (near.solution.h.size() <= n) start = near.solution;
-    const Extremum now = extremum(Curve(scene, formulation, n), near.rho, start);
+    const Extremum now = extremum(CreepCurve(scene, formulation, n), near.rho, start);
     const double moved = std::abs(now.traction - last.traction),
                  creep_moved = std::abs(now.creep - last.creep);
     if (0.2 * std::max(moved, creep_moved / now.creep) < tolerance)
@@ -146,16 +147,16 @@ TractionLimit traction_limit(const Scene& scene, Formulation formulation, double
 }
 
 /// Two points about the traction on this side of the highest one; the same twice if there are none.
-std::pair<CurvePoint, CurvePoint> enclose(const Curve& curve, const std::vector<CurvePoint>& points,
-                                          std::size_t highest, Branch branch, double asked) {
+std::pair<OnCurve, OnCurve> enclose(const CreepCurve& curve, const std::vector<OnCurve>& points,
+                                    std::size_t highest, Branch branch, double asked) {
   const bool rising = branch == Branch::rising;
   for (std::size_t i = rising ? 0 : highest; i + 1 < points.size(); ++i) {
     if (rising && i >= highest) break;
-    CurvePoint a = points[i], b = points[i + 1];
+    OnCurve a = points[i], b = points[i + 1];
     if ((a.traction() < asked) == (b.traction() < asked)) continue;
     for (int halving = 0; halving < 10; ++halving) {
       const double middle = (a.rho + b.rho) / 2;
-      const CurvePoint c{middle, curve.at(middle, a.solution)};
+      const OnCurve c{middle, curve.at(middle, a.solution)};
       ((c.traction() < asked) == (a.traction() < asked) ? a : b) = c;
     }
     return {a, b};
@@ -185,36 +186,41 @@ GridSolution settle(const Scene& scene, Formulation formulation, int n, const Pr
   return level;
 }
 
-void refuse_beyond(const std::vector<CurvePoint>& points, std::size_t highest,
-                   const std::optional<TractionLimit>& limit, Branch branch, double asked) {
+void refuse_beyond(const std::vector<OnCurve>& points, std::size_t highest,
+                   const std::optional<TractionLimit>& limit, Branch branch, double asked,
+                   double sign) {
+  const auto must_be = [&](bool allowed, const std::string& range) {
+    require(allowed, "traction", sign * asked, range);
+  };
+  const std::string below = sign > 0 ? "below " : "above ", above = sign > 0 ? "above " : "below ";
+  const std::string at_most = sign > 0 ? "at most " : "at least ";
   if (!limit && branch == Branch::falling)
     throw std::invalid_argument("branch = falling does not exist: the traction has no maximum");
   if (limit)
-    require(asked <= limit->traction, "traction", asked,
-            "at most " + fixed(limit->traction, 6) + ", the largest, at the creep " +
-                fixed(limit->creep, 6));
+    must_be(asked <= limit->traction, at_most + fixed(sign * limit->traction, 6) +
+                                          ", the largest, at the creep " +
+                                          fixed(sign * limit->creep, 6));
   const double most = points[highest].traction(), least = points.back().traction();
-  if (!limit) require(asked < most, "traction", asked, "below " + fixed(most, 4));
+  if (!limit) must_be(asked < most, below + fixed(sign * most, 4));
   if (branch == Branch::falling)
-    require(asked > least, "traction", asked,
-            "above " + fixed(least, 4) + " on the falling branch");
+    must_be(asked > least, above + fixed(sign * least, 4) + " on the falling branch");
 }
 
 }  // namespace
 
 CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
                                 double asked, Branch branch) {
-  const Curve coarse(scene, formulation, 16), finer(scene, formulation, 40);
-  std::vector<CurvePoint> points = walk(coarse, scene.friction, asked);
+  const CreepCurve coarse(scene, formulation, 16), finer(scene, formulation, 40);
+  std::vector<OnCurve> points = walk(coarse, scene.friction, asked);
   const bool found = points.size() > 10 && points.back().rho > 1;
-  const Curve& curve = found ? coarse : finer;
+  const CreepCurve& curve = found ? coarse : finer;
   if (!found) points = walk(finer, scene.friction, asked);
   if (points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
   const std::size_t highest = add_highest(curve, points);
   std::optional<TractionLimit> limit;
   if (highest + 1 < points.size())
     limit = traction_limit(scene, formulation, tolerance, points[highest]);
-  refuse_beyond(points, highest, limit, branch, asked);
+  refuse_beyond(points, highest, limit, branch, asked, sign_of(scene.direction));
   const auto [a, b] = enclose(curve, points, highest, branch, asked);
   const Prescribed given{traction, asked};
   Results slope = (b.solution.value - a.solution.value) / (b.traction() - a.traction());

@@ -20,19 +20,24 @@ using Eigen::VectorXd;
 /// At the slip nodes: p-hat, phi and its derivative, v-hat, for a share of the heating.
 struct LawAtNodes {
   ArrayXd pressure, phi, slope, slip;
+  ArrayXd by_pressure, by_temperature;  // their derivatives, by the weights of the node
 };
 
 LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
   const ArrayXd temperature = share * (grid.hot->temperature.topRows(x.p.rows()) * h).array();
-  LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}};
+  LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}, {}, {}};
   for (Index i = 0; i < temperature.size(); ++i) {
     const RelativeFriction friction = grid.scene.law(temperature(i));
     at.phi(i) = friction.value;
     at.slope(i) = friction.slope;
   }
   const VectorXd lost = (1 - at.phi) * at.pressure;
-  at.slip = share * (x.v * h).array() + x.v0 + grid.scene.friction * (grid.hot->s * lost).array();
+  at.by_pressure = grid.hot->at_node * at.pressure.matrix();
+  at.by_temperature = grid.hot->at_node * temperature.matrix();
+  at.slip = (grid.hot->s * lost).array() + (1 - at.phi) * at.by_pressure -
+            at.slope * at.pressure * at.by_temperature;
+  at.slip = share * (x.v * h).array() + x.v0 + grid.scene.friction * at.slip;
   return at;
 }
 
@@ -40,11 +45,17 @@ MatrixXd jacobian_with_law(const ContactGrid& grid, double share, const LawAtNod
   const TractionOperators& x = grid.tractions;
   const ArrayXd& sigma = grid.nodes.sigma;
   const MatrixXd dt = share * grid.hot->temperature.topRows(x.p.rows());
-  MatrixXd dv = (1 - at.phi).matrix().asDiagonal() * (share * x.p);
+  const MatrixXd dp = share * x.p;
+  MatrixXd dv = (1 - at.phi).matrix().asDiagonal() * dp;
   dv -= (at.pressure * at.slope).matrix().asDiagonal() * dt;
-  dv = share * x.v + grid.scene.friction * grid.hot->s * dv;
+  dv = grid.hot->s * dv;
+  dv += (1 - at.phi).matrix().asDiagonal() * (grid.hot->at_node * dp);
+  dv -= (at.slope * at.pressure).matrix().asDiagonal() * (grid.hot->at_node * dt);
+  dv -= (at.slope * at.by_pressure).matrix().asDiagonal() * dt;
+  dv -= (at.slope * at.by_temperature).matrix().asDiagonal() * dp;
+  dv = share * x.v + grid.scene.friction * dv;
   MatrixXd jacobian = grid.rules.slip.p;
-  jacobian -= (sigma * at.slip * at.phi).matrix().asDiagonal() * (share * x.p);
+  jacobian -= (sigma * at.slip * at.phi).matrix().asDiagonal() * dp;
   jacobian -= (sigma * at.pressure * at.phi).matrix().asDiagonal() * dv;
   jacobian -= (sigma * at.pressure * at.slip * at.slope).matrix().asDiagonal() * dt;
   return jacobian;
@@ -205,7 +216,8 @@ int solve_flux(const ContactGrid& grid, VectorXd& h) {
   const int direct = newton(grid, 1, h);
   if (direct > 0 && slips(1, h)) return direct;
   VectorXd continued = carter_h(grid);
-  for (double share = 0x1p-9, growth = 2; growth > 1.05;) {
+  const double shortest = grid.hot ? 1.005 : 1.05;
+  for (double share = 0x1p-9, growth = 2; growth > shortest;) {
     const double next = std::min(1.0, share * growth);
     VectorXd trial = continued;
     const int steps = newton(grid, next, trial);

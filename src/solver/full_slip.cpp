@@ -1,6 +1,8 @@
 // Tangled from paper/20-full-slip.md; edit there.
 #include "solver/full_slip.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "solver/grid_solution.hpp"
@@ -13,10 +15,19 @@ using enum Quantity;
 
 namespace {
 
+/// Drop a backward slip over less than this length at the leading edge.
+void forget_the_edge(GridSolution& x, double length) {
+  const auto at_the_edge = [&](const Violation& v) {
+    return v.what == "backward slip" && v.to < length - 1;
+  };
+  auto& all = x.violations;
+  all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
+}
+
 /// Refuse, by std::invalid_argument, a creep without a contact, naming the creep where that ends.
 [[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation,
                                          double creep) {
-  constexpr int n = 40;
+  constexpr int n = 80;
   GridSolution last = next_to_full_slip(scene, formulation, n);
   if (last.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found in full slip at the creep " +
@@ -69,16 +80,22 @@ CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, dou
       (solve_slipping_grid(scene, formulation, n, creep + more, level).value - level.value) / more;
   return refine(scene, formulation, tolerance, {Quantity::creep, creep}, level, slope,
                 [&](int finer, const GridSolution& last) {
-                  return solve_slipping_grid(scene, formulation, finer, creep, last);
+                  GridSolution x = solve_slipping_grid(scene, formulation, finer, creep, last);
+                  forget_the_edge(x, 0.5 * std::sqrt(tolerance));
+                  return x;
                 });
 }
 
-void refuse_undetermined_creep(const Scene& scene, Formulation formulation, double asked) {
+void refuse_undetermined_creep(const Scene& scene, Formulation formulation) {
   const GridSolution full = next_to_full_slip(scene, formulation, 40);
-  throw std::invalid_argument("traction = " + shortest(asked) +
-                              " is the friction: the whole contact slips, and the creep is not "
-                              "determined; it is at least " +
-                              fixed(full.value(Quantity::creep), 4));
+  const double sign = sign_of(scene.direction);
+  std::string message =
+      "traction = " + shortest(sign * scene.friction) +
+      " is the friction: the whole contact slips, and the creep is not determined";
+  if (full.newton_steps > 0)
+    message += std::string(sign > 0 ? "; it is at least " : "; it is at most ") +
+               fixed(sign * full.value(Quantity::creep), 4);
+  throw std::invalid_argument(message);
 }
 
 }  // namespace thermoroll

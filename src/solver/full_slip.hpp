@@ -14,8 +14,8 @@ ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, d
 CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, double tolerance,
                                 double creep);
 
-/// Refuse, by std::invalid_argument, the traction f of constant friction, which was asked for.
-[[noreturn]] void refuse_undetermined_creep(const Scene& scene, Formulation formulation,
-                                            double asked);
+/// Refuse, by std::invalid_argument, the traction of constant friction itself, f or -f by the
+/// direction, with the least creep that it belongs to.
+[[noreturn]] void refuse_undetermined_creep(const Scene& scene, Formulation formulation);
 
 }  // namespace thermoroll

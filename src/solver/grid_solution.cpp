@@ -8,7 +8,6 @@
 
 namespace thermoroll {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 using enum Quantity;

@@ -32,7 +32,7 @@ GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, in
 double residual(const GridSolution& x, const Prescribed& given);
 
 /// The border moved towards s = 1; the shorter zone keeps its digits.
-ZoneLengths moved_by(const ZoneLengths& x, double step);
+ZoneLengths moved_by(const ZoneLengths& zones, double step);
 
 /// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
 GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n);

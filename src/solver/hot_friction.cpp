@@ -24,9 +24,8 @@ ArrayXd measure(const Nodes& z, const GaussLegendre& rule) {
   return z.zones.slip * weight;
 }
 
-MatrixXd lost_friction_matrix(const Nodes& z, const GaussLegendre& rule, const ArrayXd& weight) {
+MatrixXd lost_friction_matrix(const Nodes& z, const ArrayXd& weight) {
   const Index n = z.y.size();
-  const MatrixXd by_y = by_derivatives(rule.p) * to_legendre(rule);
   MatrixXd s(n, n);
   for (Index i = 0; i < n; ++i) {
     const SlipPoint at(1 + z.y(i), 1 - z.y(i));
@@ -35,11 +34,19 @@ MatrixXd lost_friction_matrix(const Nodes& z, const GaussLegendre& rule, const A
       s(i, j) = j == i ? 0 : weight(j) / (z.zones.slip * t_difference(at, to, to.y - at.y));
     }
     s(i, i) = -s.row(i).sum();
-    s.row(i) += weight(i) / (z.zones.slip * 6 * at.u * at.v * at.du) * by_y.row(i);
   }
   s /= pi;
   s.diagonal().array() -= z.zones.stick == 0 ? z.s : ArrayXd::Ones(n);
   return s;
+}
+
+MatrixXd derivative_at_node(const Nodes& z, const GaussLegendre& rule, const ArrayXd& weight) {
+  ArrayXd share(z.y.size());
+  for (Index i = 0; i < share.size(); ++i) {
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
+    share(i) = weight(i) / (pi * z.zones.slip * 6 * at.u * at.v * at.du);
+  }
+  return share.matrix().asDiagonal() * by_derivatives(rule.p) * to_legendre(rule);
 }
 
 MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegendre& rule,
@@ -80,11 +87,14 @@ MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegen
 }
 
 HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& rules, Index terms) {
+  const double more = 8 + 5 * decades_beyond(scene.peclet * z.zones.slip);
+  const auto nodes = static_cast<int>(static_cast<double>(rules.graded.x.size()) + more);
   const ArrayXd weight = measure(z, rules.slip);
   ArrayXd arm = z.s + z.zones.slip / 2;  // t + b0
   if (z.zones.stick == 0) arm.setOnes();
-  return {temperature_matrix(scene, z, rules.graded, terms),
-          lost_friction_matrix(z, rules.slip, weight), weight, arm * weight};
+  return {temperature_matrix(scene, z, rounded_up(4, nodes), terms),
+          lost_friction_matrix(z, weight), derivative_at_node(z, rules.slip, weight), weight,
+          arm * weight};
 }
 
 }  // namespace thermoroll

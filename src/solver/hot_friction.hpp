@@ -11,7 +11,8 @@ namespace thermoroll {
 /// Matrices for a law of friction on the n slip nodes and m stick nodes.
 struct HotFriction {
   Eigen::MatrixXd temperature;  // T* at the n, then the m nodes; a column for each term of h
-  Eigen::MatrixXd s;            // S of @eq:lost-friction on the values of B, n x n
+  Eigen::MatrixXd s;            // S of @eq:lost-friction on the values of B, n x n, but for
+  Eigen::MatrixXd at_node;      // what the derivative of B at the node itself adds, n x n
   Eigen::ArrayXd weight;        // of the integral in S
   Eigen::ArrayXd moment;        // of that for the traction, @eq:lost-sums
 };

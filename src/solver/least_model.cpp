@@ -226,6 +226,9 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
                    const Prescribed& given) {
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
+  if (scene.law)
+    return {Model::coupled, "friction depends on temperature",
+            solve_coupled(scene, formulation, tolerance, given)};
   if (!sticks_without_heat(scene.friction, given))
     return {Model::coupled, "without heat nothing would stick",
             solve_coupled(scene, formulation, tolerance, given)};

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "solver/contact_grid.hpp"
+#include "solver/full_slip.hpp"
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 #include "support/number_text.hpp"
@@ -36,8 +37,6 @@ Choice choose(const Scene& scene, const Approach& a, const Prescribed& given) {
 }
 
 Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const Prescribed& given) {
-  const double tolerance = approach.tolerance;
-  require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
   const auto [model, reason, x] = choose(scene, approach, given);
   if (!x.error.allFinite())
     throw std::runtime_error("first-order: heat is too strong for one linear correction");
@@ -91,8 +90,35 @@ void check_with_sign(const Scene& scene, const Prescribed& given) {
   const double x = given.value, friction = scene.friction;
   const std::string range = "between -" + shortest(friction) + " and " + shortest(friction);
   if (given.quantity == traction && !scene.law)
-    require(0 < std::abs(x) && std::abs(x) < friction, "traction", x, range + ", the friction");
-  if (given.quantity == creep) require(x != 0, "creep", x, "positive, or negative for braking");
+    require(std::abs(x) <= friction, "traction", x, range + ", the friction");
+}
+
+void check_tolerance(double tolerance) {
+  require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
+}
+
+void check_law(const Scene& scene, const Prescribed& given, Method method) {
+  const bool constant = method == Method::closed_form || method == Method::first_order ||
+                        method == Method::gauss_chebyshev;
+  if (scene.law && constant)
+    throw std::invalid_argument(
+        "friction that depends on temperature needs the method coupled or auto");
+  if (!scene.law && given.branch == Branch::falling)
+    throw std::invalid_argument("branch = falling is not allowed: friction is constant");
+}
+
+bool is_without_slip(const Prescribed& given) {
+  return given.quantity != stick_slip_border && given.value == 0;
+}
+
+Solution solve_without_slip(const Scene& scene, const Approach& approach, const Prescribed& given) {
+  if (given.branch == Branch::falling)
+    throw std::invalid_argument("branch = falling is not allowed: without traction nothing slips");
+  const Carter c{scene.friction, 1, 0, 1, 0};
+  Results value = carter_values(c);
+  value(max_temperature_at) = 1;
+  const std::string reason = "without traction nothing slips";
+  return {scene, approach, value, Results::Zero(), c, true, Model::closed_form, reason};
 }
 
 Scene directed(Scene scene, const Prescribed& given) {
@@ -116,9 +142,13 @@ void check_paper_pair(const Scene& scene) {
 
 /// The solution of a scene that drives, or of a braking one turned round.
 Solution solve_turned(const Scene& scene, const Prescribed& given, const Approach& approach) {
+  const bool scheme = approach.method == Method::gauss_chebyshev;
+  if (!scheme && is_without_slip(given)) return solve_without_slip(scene, approach, given);
+  if (given.quantity == traction && given.value == scene.friction && !scene.law)
+    refuse_undetermined_creep(scene, approach.formulation);
   check(scene, given);
   if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
-  if (approach.method != Method::gauss_chebyshev) return solve_to_tolerance(scene, approach, given);
+  if (!scheme) return solve_to_tolerance(scene, approach, given);
   check_paper_pair(scene);
   if (given.quantity != traction)
     throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
@@ -147,9 +177,13 @@ Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
 
 Profile carter_profile(const Scene& scene, const Carter& c) {
   constexpr Eigen::Index zone = 100;  // intervals to each zone
-  const Eigen::ArrayXd s = carter_points(c, zone);
-  const SurfaceCurve surface = surface_curve(smooth_flux(c), scene.peclet, s, 1e-9);
-  Profile x{s, s, s, s, s, heat_share(scene) * surface.temperature};
+  const bool slips = c.slip_half_width > 0;
+  const Eigen::ArrayXd points = carter_points(c, zone);
+  const Eigen::ArrayXd s = slips ? points : Eigen::ArrayXd(points.head(zone + 1));
+  Profile x{s, s, s, s, s, 0 * s};
+  if (slips)
+    x.temperature =
+        heat_share(scene) * surface_curve(smooth_flux(c), scene.peclet, s, 1e-9).temperature;
   for (Eigen::Index i = 0; i < s.size(); ++i) {
     x.pressure(i) = hertz_pressure(s(i));
     x.traction(i) = carter_traction(c, s(i));
@@ -179,9 +213,9 @@ Peaks scheme_peaks(const PublishedSolution& x, double friction) {
   return peak;
 }
 
-/// Pressures on both zones, the traction on the stick zone, the heat flux on the slip zone.
+/// Pressures and tractions on both zones, the heat flux on the slip zone.
 struct Curves {
-  Eigen::ArrayXd slip_pressure, stick_pressure, stick_traction, heat_flux;
+  Eigen::ArrayXd slip_pressure, stick_pressure, slip_traction, stick_traction, heat_flux;
 };
 
 /// The curves at -1 <= x <= 1, the variable of each zone.
@@ -192,9 +226,17 @@ Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double fric
   const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
   const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
   Curves y;
-  y.slip_pressure = (slip_right * (2 - slip_right)).sqrt() * (p * by.pressure).array();
-  y.stick_pressure = (left * right).sqrt() * (q * by.stick_pressure).array();
-  y.stick_traction = friction * y.stick_pressure - (left * z.d).sqrt() * (q * by.bracket).array();
+  const Eigen::ArrayXd slip_root = (slip_right * (2 - slip_right)).sqrt();
+  const Eigen::ArrayXd stick_root = (left * right).sqrt();
+  y.slip_pressure = slip_root * (p * by.pressure).array();
+  y.stick_pressure = stick_root * (q * by.stick_pressure).array();
+  Eigen::ArrayXd slip_bound = y.slip_pressure, bound = y.stick_pressure;
+  if (by.bound.size() > 0) {
+    slip_bound = slip_root * (p * by.bound).array();
+    bound = stick_root * (q * by.stick_bound).array();
+  }
+  y.slip_traction = friction * slip_bound;
+  y.stick_traction = friction * bound - (left * z.d).sqrt() * (q * by.bracket).array();
   y.heat_flux = by.slip * (z.t * (1 - z.t)).sqrt() * (p * by.h).array();
   return y;
 }
@@ -283,6 +325,9 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
 Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
   check(scene);
   check_with_sign(scene, given);
+  check_law(scene, given, approach.method);
+  if (approach.method != Method::closed_form && approach.method != Method::gauss_chebyshev)
+    check_tolerance(approach.tolerance);
   const Scene turned = directed(scene, given);
   const bool braking = given.quantity != stick_slip_border && given.value < 0;
   Solution x = solve_turned(
@@ -312,9 +357,11 @@ Peaks largest(const SmoothTractions& by, double friction) {
       return curves_at(x, by, friction).*what;
     });
   };
-  const Top p = highest(&Curves::slip_pressure), stick_p = highest(&Curves::stick_pressure);
-  const Top stick_q = highest(&Curves::stick_traction), flux = highest(&Curves::heat_flux);
+  const Top p = highest(&Curves::slip_pressure), flux = highest(&Curves::heat_flux);
   Peaks peak{p.value, friction * p.value, flux.value};
+  if (by.bound.size() > 0) peak.traction = highest(&Curves::slip_traction).value;
+  if (by.stick == 0) return peak;
+  const Top stick_p = highest(&Curves::stick_pressure), stick_q = highest(&Curves::stick_traction);
   if (stick_p.at > -1) peak.pressure = std::max(peak.pressure, stick_p.value);
   if (stick_q.at > -1) peak.traction = std::max(peak.traction, stick_q.value);
   return peak;
@@ -347,6 +394,8 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   y.value.hertz_pressure = 2 / pi * unit.traction;
   y.value.half_width_over_radius = hertz * hertz / si.half_width;
   y.notes = beyond_the_model(y.value, si);
+  if (si.bulk_temperature)
+    y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
   if (!x.error) return y;
   y.error = converted(*x.error, *peak.error, unit, si);
   PhysicalResults& error = *y.error;
@@ -400,7 +449,9 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
   const double flux_error = coupled ? (*x.error)(max_temperature) : 0;
   const double share = heat_share(x.scene);
   Curve curve;
-  if (depth == 0) {
+  if (x.value(slip_length) == 0) {
+    for (const double s : at) curve.points.push_back({s, 0, 0});
+  } else if (depth == 0) {
     const auto points = static_cast<Eigen::Index>(at.size());
     const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
     const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
@@ -417,6 +468,26 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     }
   }
   return curve;
+}
+
+std::optional<Estimate> least_friction(const Solution& x) {
+  const double slip = x.value(slip_length), f = x.scene.friction;
+  if (!x.scene.law || slip == 0) return std::nullopt;
+  std::vector<double> at;
+  for (int i = 0; i <= 32; ++i) at.push_back(1 - slip * std::pow(std::cos(i * pi / 64), 2));
+  std::vector<CurvePoint> points = temperature_curve(x, at, 0).points;
+  const double top = x.value(max_temperature), error = (*x.error)(max_temperature);
+  points.push_back({x.value(max_temperature_at), top, error});
+  Estimate least{std::numeric_limits<double>::infinity(), 0};
+  for (const CurvePoint& point : points) {
+    const double t = point.temperature, e = point.error.value_or(0);
+    const auto away = [&](double other) {
+      return f * std::abs(x.scene.law(other).value - x.scene.law(t).value);
+    };
+    const double here = f * x.scene.law(t).value;
+    if (here < least.value) least = {here, std::max(away(t - e), away(t + e))};
+  }
+  return least;
 }
 
 }  // namespace thermoroll

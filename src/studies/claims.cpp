@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/solution.hpp"
 #include "thermoroll/temperature.hpp"
@@ -30,40 +30,40 @@ double moment(const Carter& c, int power) {
   return integrate(integrand, {0, length}).value;
 }
 
-struct Case {
+struct PaperScene {
   double traction, peclet;
   PublishedSolution coarse, fine;  // by the published scheme, n = 50 and 200
   CoupledSolution coupled;
   Profile profile;  // of the coupled solution
 };
 
-std::vector<Case> sixteen_cases() {
-  std::vector<Case> cases;
+std::vector<PaperScene> sixteen_scenes() {
+  std::vector<PaperScene> scenes;
   for (const double q : paper::tractions)
     for (const double pe : paper::peclets) {
       const CoupledSolution x = paper::coupled(q, pe);
-      cases.push_back({q, pe, paper::scheme(q, pe, {50, 1e-3}), paper::scheme(q, pe, {200, 1e-3}),
-                       x, profile(x)});
+      scenes.push_back({q, pe, paper::scheme(q, pe, {50, 1e-3}), paper::scheme(q, pe, {200, 1e-3}),
+                        x, profile(x)});
     }
-  return cases;
+  return scenes;
 }
 
 template <class Property>
-bool every(const std::vector<Case>& cases, Property holds) {
-  return std::all_of(cases.begin(), cases.end(), holds);
+bool every(const std::vector<PaperScene>& scenes, Property holds) {
+  return std::all_of(scenes.begin(), scenes.end(), holds);
 }
 
 /// Whether every run of the published scheme has the property.
 template <class Property>
-bool every_run(const std::vector<Case>& cases, Property holds) {
-  return every(cases, [&](const Case& x) { return holds(x.coarse) && holds(x.fine); });
+bool every_run(const std::vector<PaperScene>& scenes, Property holds) {
+  return every(scenes, [&](const PaperScene& x) { return holds(x.coarse) && holds(x.fine); });
 }
 
 /// Whether the maximum rises from each scene to every other that is slower and carries more.
 template <class Maximum>
-bool rises(const std::vector<Case>& cases, Maximum of) {
-  return every(cases, [&](const Case& x) {
-    return every(cases, [&](const Case& y) {
+bool rises(const std::vector<PaperScene>& scenes, Maximum of) {
+  return every(scenes, [&](const PaperScene& x) {
+    return every(scenes, [&](const PaperScene& y) {
       const bool hotter = y.traction >= x.traction && y.peclet <= x.peclet;
       return !hotter || &x == &y || of(y) > of(x);
     });
@@ -112,13 +112,13 @@ Claim on_phases() {
           verdict(!cold.empty(), "at Q* = " + cold + (hot.empty() ? "" : ", not at " + hot))};
 }
 
-Claims on_variation(const std::vector<Case>& cases) {
-  const auto of_scheme = [](const Case& x) {
+Claims on_variation(const std::vector<PaperScene>& scenes) {
+  const auto of_scheme = [](const PaperScene& x) {
     return published_max_temperature(x.fine, x.peclet).temperature;
   };
-  const bool scheme = rises(cases, of_scheme);
+  const bool scheme = rises(scenes, of_scheme);
   const bool converged =
-      rises(cases, [](const Case& x) { return x.coupled.value(Quantity::max_temperature); });
+      rises(scenes, [](const PaperScene& x) { return x.coupled.value(Quantity::max_temperature); });
   const double small = rolling_to_sliding(0.2), large = rolling_to_sliding(0.59);
   return {{"T* is higher at small Pe and at large Q*", "yes", yes(scheme), yes(converged),
            verdict(converged)},
@@ -146,22 +146,22 @@ bool below_the_limit(double c0, const Profile& profile) {
   return (profile.s >= c0 || profile.traction.abs() < paper::friction * profile.pressure).all();
 }
 
-Claims on_slip(const std::vector<Case>& cases) {
-  const bool zero_scheme = every_run(cases, [](const PublishedSolution& solution) {
+Claims on_slip(const std::vector<PaperScene>& scenes) {
+  const bool zero_scheme = every_run(scenes, [](const PublishedSolution& solution) {
     return zero_before(solution.c0, solution.grid.t, solution.slip);
   });
-  const bool sticks_scheme =
-      every_run(cases, [](const PublishedSolution& solution) { return below_the_limit(solution); });
-  const bool slips_scheme = every_run(cases, [](const PublishedSolution& solution) {
+  const bool sticks_scheme = every_run(
+      scenes, [](const PublishedSolution& solution) { return below_the_limit(solution); });
+  const bool slips_scheme = every_run(scenes, [](const PublishedSolution& solution) {
     return positive_behind(solution.c0, solution.grid.t, solution.slip);
   });
-  const bool zero = every(cases, [](const Case& x) {
+  const bool zero = every(scenes, [](const PaperScene& x) {
     return zero_before(x.coupled.value(Quantity::stick_slip_border), x.profile.s, x.profile.slip);
   });
-  const bool sticks = every(cases, [](const Case& x) {
+  const bool sticks = every(scenes, [](const PaperScene& x) {
     return below_the_limit(x.coupled.value(Quantity::stick_slip_border), x.profile);
   });
-  const bool slips = every(cases, [](const Case& x) {
+  const bool slips = every(scenes, [](const PaperScene& x) {
     return positive_behind(x.coupled.value(Quantity::stick_slip_border), x.profile.s,
                            x.profile.slip);
   });
@@ -199,8 +199,20 @@ Claim on_two_bodies() {
           fixed(ratio, 3), verdict(std::abs(2 * ratio - 1) < 0.01, "computed: half as hot")};
 }
 
+Claim on_hot_friction() {
+  const PhysicalScene steel = wheel_on_rail();
+  Scene scene = scene_of(steel, paper::friction);
+  scene.law = linear_friction({1600 / units_of(steel, paper::friction).temperature});
+  const TractionLimit top =
+      *solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::traction, 0.1}).limit;
+  const double share = top.traction / paper::friction;
+  return {"friction may depend on temperature: largest Q* at Pe = 4360, none left at 1600 °C",
+          "possible", "–", fixed(top.traction, 3) + " at the creep " + fixed(top.creep, 3),
+          verdict(share > 0.5 && share < 0.99, "computed: " + fixed(100 * share, 0) + " % of f")};
+}
+
 /// Count a run of scene x; returns the error of its T*max in per cent.
-double count(Record& record, const Case& x, const PublishedSolution& run) {
+double count(Record& record, const PaperScene& x, const PublishedSolution& run) {
   record.outer = std::max(record.outer, run.outer_iterations);
   record.inner = std::max(record.inner, run.inner_iterations);
   record.converged = record.converged && run.converged;
@@ -208,17 +220,17 @@ double count(Record& record, const Case& x, const PublishedSolution& run) {
   return 100 * std::abs(found / x.coupled.value(Quantity::max_temperature) - 1);
 }
 
-Record record_of(const std::vector<Case>& cases) {
+Record record_of(const std::vector<PaperScene>& scenes) {
   Record record;
-  for (const Case& x : cases) {
+  for (const PaperScene& x : scenes) {
     record.coarse_error = std::max(record.coarse_error, count(record, x, x.coarse));
     record.fine_error = std::max(record.fine_error, count(record, x, x.fine));
   }
   return record;
 }
 
-Claims on_the_iteration(const std::vector<Case>& cases) {
-  const Record x = record_of(cases);
+Claims on_the_iteration(const std::vector<PaperScene>& scenes) {
+  const Record x = record_of(scenes);
   const bool exact = std::max(x.coarse_error, x.fine_error) <= 0.1;
   return {claim_on_steps("c0", 20, x.inner, x.converged),
           claim_on_steps("v*", 35, x.outer, x.converged),
@@ -272,7 +284,7 @@ double rolling_to_sliding(double q) {
          hottest_point(sliding_flux(carter_heat(c)), 1000).temperature.value;
 }
 
-Record scheme_record() { return record_of(sixteen_cases()); }
+Record scheme_record() { return record_of(sixteen_scenes()); }
 
 Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged) {
   const std::string bound = std::to_string(most);
@@ -281,11 +293,11 @@ Claim claim_on_steps(const std::string& unknown, int most, int found, bool conve
 }
 
 std::vector<Claim> claims() {
-  const std::vector<Case> cases = sixteen_cases();
+  const std::vector<PaperScene> scenes = sixteen_scenes();
   Claims all;
-  for (const Claims& some :
-       {on_the_data(), on_the_temperature(), Claims{on_phases()}, on_variation(cases),
-        on_slip(cases), on_deformation(), Claims{on_two_bodies()}, on_the_iteration(cases)})
+  for (const Claims& some : {on_the_data(), on_the_temperature(), Claims{on_phases()},
+                             on_variation(scenes), on_slip(scenes), on_deformation(),
+                             Claims{on_two_bodies(), on_hot_friction()}, on_the_iteration(scenes)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -12,7 +12,7 @@
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 #include "studies/cached_scheme.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/temperature.hpp"
 

@@ -15,7 +15,7 @@
 #include "studies/figure_data.hpp"
 #include "studies/iterations.hpp"
 #include "studies/naive_kernels.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/admissibility.hpp"
 #include "thermoroll/kernels.hpp"

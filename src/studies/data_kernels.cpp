@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "thermoroll/kernels.hpp"
 
 namespace thermoroll {

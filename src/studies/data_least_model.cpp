@@ -13,7 +13,7 @@
 #include "solver/least_model.hpp"
 #include "studies/comparison.hpp"
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {

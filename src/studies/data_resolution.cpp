@@ -8,7 +8,7 @@
 #include "studies/claims.hpp"
 #include "studies/data.hpp"
 #include "studies/figure_data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "studies/resolution.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/published_scheme.hpp"

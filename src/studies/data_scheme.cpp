@@ -1,7 +1,7 @@
 // Tangled from paper/F-data-files.md; edit there.
 #include "studies/cached_scheme.hpp"
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {

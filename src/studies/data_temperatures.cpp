@@ -6,7 +6,7 @@
 #include "studies/claims.hpp"
 #include "studies/comparison.hpp"
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/temperature.hpp"
 

@@ -1,6 +1,6 @@
 // Tangled from paper/F-data-files.md; edit there.
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 
 namespace thermoroll {
 namespace {

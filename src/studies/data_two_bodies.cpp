@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/solution.hpp"
 
 namespace thermoroll {
 namespace {
 
-double traction_at(const Scene& scene, double creep) {
+double traction_on_curve(const Scene& scene, double creep) {
   const Approach exact{Method::coupled, Formulation::corrected, 0, 1e-8};
   return std::abs(solve(scene, {Quantity::creep, creep}, exact).value(Quantity::traction));
 }
@@ -21,8 +21,8 @@ void braking_curves(std::ostream& out) {
   row(out, 0, 0, 0, 0, 0);
   const Scene paper{paper::friction, 100, 1}, identical{paper::friction, 100, 1, {1, 1}};
   for (const double creep : grid(0.01, 0.45, 44))
-    row(out, creep, carter_creep_curve(paper::friction, creep), traction_at(paper, creep),
-        traction_at(identical, creep), traction_at(paper, -creep));
+    row(out, creep, carter_creep_curve(paper::friction, creep), traction_on_curve(paper, creep),
+        traction_on_curve(identical, creep), traction_on_curve(paper, -creep));
 }
 
 const FigureData braking_data{"braking", braking_curves};

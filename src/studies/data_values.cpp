@@ -7,7 +7,7 @@
 
 #include "studies/claims.hpp"
 #include "studies/data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/temperature.hpp"
 
@@ -148,11 +148,11 @@ void values_of_what_is_open(nlohmann::ordered_json& v) {
 
 void values(std::ostream& out) {
   nlohmann::ordered_json v;
-  for (const auto add :
-       {values_of_steel, values_with_heat, values_of_the_largest_temperature, values_in_degrees,
-        values_of_the_nodes, values_of_the_load_ratio, values_to_first_order,
-        values_of_what_is_open, values_on_resolution, values_on_failures, values_on_least_model,
-        values_on_what_heat_can_do, values_on_two_bodies})
+  for (const auto add : {values_of_steel, values_with_heat, values_of_the_largest_temperature,
+                         values_in_degrees, values_of_the_nodes, values_of_the_load_ratio,
+                         values_to_first_order, values_of_what_is_open, values_on_resolution,
+                         values_on_failures, values_on_least_model, values_on_what_heat_can_do,
+                         values_on_two_bodies, values_on_full_slip, values_on_hot_friction})
     add(v);
   out << v.dump(2) << '\n';
 }

@@ -10,7 +10,7 @@
 #include "studies/data.hpp"
 #include "studies/iterations.hpp"
 #include "studies/materials.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/admissibility.hpp"
 

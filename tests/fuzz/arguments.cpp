@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (c.subcommand == "temperature" && thermoroll::read_points(c.options.at).empty())
       fuzz::fail("no points");
     if (c.subcommand == "temperature" || c.subcommand == "solve")
-      thermoroll::read_case(c.options.of_case);
+      thermoroll::read_scene(c.options.of_scene);
   });
   return 0;
 }

@@ -1,4 +1,4 @@
-// The case file, for both subcommands that read one.
+// The scene file, for both subcommands that read one.
 #include <unistd.h>
 
 #include <filesystem>
@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::done_or_refused<std::invalid_argument>([&] {
       const thermoroll::Command c = thermoroll::read_command({subcommand, "--config", name});
       if (c.subcommand != subcommand) fuzz::fail("another subcommand: " + c.subcommand);
-      thermoroll::read_case(c.options.of_case);
+      thermoroll::read_scene(c.options.of_scene);
     });
   std::remove(name.c_str());
   return 0;

@@ -41,7 +41,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   while (std::getline(text, line)) {
     bool closed = false;
     const bool read = fuzz::done_or_refused<std::invalid_argument>([&] {
-      const Case c = read_case(read_row(table.columns, cells_of(line)));
+      const GivenScene c = read_scene(read_row(table.columns, cells_of(line)));
       closed = c.approach.method == Method::closed_form;
     });
     if (read && !closed) continue;

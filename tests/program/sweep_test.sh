@@ -64,6 +64,39 @@ END
   [ "$(cell traction 2) $(cell status 2)" = "-0.5 0" ] || fail "$(cat results.csv)"
 }
 
+# Laws and branches are columns as all options; a column for the law brings what it has added, and
+# one for the bulk temperature the absolute temperature.
+LawsOfFriction() {
+  cat >scenes.csv <<'END'
+friction,traction,creep,peclet,heating,friction-law,friction-temperature,friction-floor,branch
+0.6,0.39,,100,0.0175,linear,0.02,,
+0.6,-0.39,,100,0.0175,linear,0.02,,falling
+0.6,,0.5,100,0.0175,exponential,0.02,0.3,
+0.6,,0.5,100,0.0175,,,,
+0.6,0,,100,0.0175,,,,
+0.6,0.5,,100,0.0175,linear,0.02,,
+0.6,0.3,,100,0.0175,,0.02,,
+END
+  sweeps 4
+  [ "$(cell friction-law 1) $(cell branch 1) $(cell full_slip 1)" = "linear rising false" ] || fail "$(cat results.csv)"
+  [ "$(cell branch 2) $(cell friction-floor 2)" = "falling 0.0" ] || fail "$(cat results.csv)"
+  grep -q '^-0.397' <<<"$(cell traction_limit 2)" || fail "$(cat results.csv)"
+  [ "$(cell full_slip 3) $(cell traction_limit 3)" = "true " ] || fail "$(cat results.csv)"
+  [ "$(cell friction-law 4) $(cell traction 4) $(cell friction_min 4)" = "constant 0.6 " ] || fail "$(cat results.csv)"
+  [ "$(cell creep 5) $(cell stick_slip_border 5) $(cell status 5)" = "0.0 1.0 0" ] || fail "$(cat results.csv)"
+  grep -q '^2 traction = 0.5 is not allowed: it must be at most 0.3977' <<<"$(error_of 6)" || fail "$(error_of 6)"
+  grep -q '^2 constant friction has none of these: --friction-temperature' <<<"$(error_of 7)" || fail "$(error_of 7)"
+  cat >scenes.csv <<'END'
+friction,traction,load,speed,half-width,shear-modulus,poisson,expansion,diffusivity,conductivity,bulk-temperature
+0.6,0.5,1.2e7,22.2,5.5e-3,8.1e10,0.3,1.1e-5,1.4e-5,50,20
+0.6,0.5,1.2e7,22.2,5.5e-3,8.1e10,0.3,1.1e-5,1.4e-5,50,
+END
+  sweeps 0
+  awk -v a="$(cell physical.contact_temperature_celsius 1)" -v b="$(cell physical.max_temperature_celsius 1)" \
+    'BEGIN { d = a - b - 20; exit !(d * d < 1e-18) }' || fail "$(cat results.csv)"
+  [ -z "$(cell physical.contact_temperature_celsius 2)" ] || fail "$(cat results.csv)"
+}
+
 AnswersAsSolveDoes() {
   write_scenes
   sweeps 4
@@ -132,7 +165,7 @@ BadRowsGiveTheirError() {
   bad '0.6,0.5,100,-1,,,' 2 "heating = -1 is not allowed: it must be zero or positive"
   bad '0.6,0.5,100,0,best,,' 2 "method = best is not allowed: it must be auto or closed-form or first-order or coupled or gauss-chebyshev"
   bad '0.6,0.5,100,0,,2.5,' 2 "nodes = 2.5 is not allowed: it must be a whole number"
-  bad '0.6,,100,0,,,0.5' 2 "creep = 0.5 is not allowed: it must be below 0.38"
+  bad '0.6,,100,0,closed-form,,0.5' 2 "creep = 0.5 is not allowed: it must be below 2 f / pi"
   bad '0.6,0.5,100,1e6,,,' 1 "coupled: no solution found near the border"
   bad '0.6,0.5,100,4,gauss-chebyshev,20,' 3 "the iteration did not converge; what is written is its last iterate"
   bad '0.6,0.5,1e200,1e200,gauss-chebyshev,20,' 3 "no finite result"

@@ -21,7 +21,7 @@ const Approach scheme{Method::gauss_chebyshev, Formulation::corrected, 60};
 
 std::map<std::string, std::string> cells_of(const Solution& x) {
   std::map<std::string, std::string> cells;
-  for (const Field& field : csv_fields(x, {}, true)) cells[field.name] = field.cell;
+  for (const Field& field : csv_fields(x, {}, {true, true, true})) cells[field.name] = field.cell;
   return cells;
 }
 

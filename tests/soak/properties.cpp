@@ -81,8 +81,10 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
     record.within("errors keep the tolerance", e(q), x.tolerance * std::abs(v(q)) * (1 + 1e-12));
   const Quantity given = x.given.quantity;
   record.within("what is given comes out", v(given) - x.given.value, std::max(e(given), 1e-15));
-  record.require("the border is in the contact",
-                 -1 <= v(stick_slip_border) && v(stick_slip_border) < 1);
+  const bool slips = v(stick_slip_border) == -1;
+  record.require("the border is in the contact, or a creep leaves no stick",
+                 std::abs(v(stick_slip_border)) < 1 || (slips && given == creep));
+  record.require("full slip pulls with the friction", !slips || v(traction) == x.scene.friction);
   record.require("heat, temperature and load ratio are positive",
                  v(heat_integral) > 0 && v(max_temperature) > 0 && v(load_ratio) > 0);
   // C = xi* + f gamma0; each is a sum of about a hundred terms of its own size or that of f kappa.
@@ -92,6 +94,8 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   record.within("the eccentricity belongs to gamma0",
                 v(eccentricity) - pi * v(gamma0) / (2 * v(load_ratio)),
                 1e-15 * std::abs(v(eccentricity)) + 1e-300);
+  // An observation and no theorem: of the samples tried, none lost contact below these heatings.
+  // Those beyond are asked whether "a finer solution is as much of a contact".
   const double strength = x.scene.friction * heating_of_both(x.scene);
   if (strength <= (strain_share(x.scene) == 1 ? 10 : 0.5))
     record.require("a solution is a contact", found.violations.empty());
@@ -201,7 +205,7 @@ void examine_again(const Record& record, const Sample& x, const CoupledSolution&
                                                       found.h == again.h);
   if (x.given.quantity == stick_slip_border) return;
   const double most = x.given.quantity == traction ? x.scene.friction : 2 * x.scene.friction / pi;
-  const double given = x.given.value, less = given - 0.05 * std::min(given, most - given);
+  const double given = x.given.value, less = given - 0.05 * std::min(given, std::abs(most - given));
   try {
     const CoupledSolution other = solve(x, less);
     record.require("less traction or creep, more stick", other.value(stick_slip_border) +

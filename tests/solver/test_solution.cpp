@@ -191,7 +191,7 @@ TEST(Solution, NoHalfWidthWithoutALoadRatio) {
 
 // The closed form for the border or the creep that belongs to a traction, against its formulas in
 // long double: the errors are within what is claimed, and what is given is repeated as it is.
-TEST(Solution, GivenCreepOrBorderIsTheSameCase) {
+TEST(Solution, GivenCreepOrBorderIsTheSameScene) {
   for (const Driven& scene : random_scenes(40)) {
     const Solution x = solve(scene, closed_form);
     const long double long_pi = std::acos(-1.0L), f = scene.friction;
@@ -382,10 +382,10 @@ TEST(Solution, PeaksAreTheHighestOfManyTops) {
 // Of the grids that are looked at the finest counts, which is 480 at the most; but a lesser model
 // keeps its own peaks.
 TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
-  const Driven scene{0.6, 0.3, 1000, 1};
   int finest = 0;
   for (const Method method : {Method::coupled, Method::first_order})
     for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
+      const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 1 : 0.1};
       const Solution x = solve(scene, {method, Formulation::printed, 200, tolerance});
       const auto& found = std::get<CoupledSolution>(x.found);
       int n = found.unknowns;
@@ -419,6 +419,104 @@ TEST(Solution, PeaksLieOnTheProfile) {
         expect_top(y.traction, &Peaks::traction);
         expect_top(y.heat_flux, &Peaks::heat_flux);
       }
+}
+
+/// Scenes whose friction falls, rises and ends at a floor, partly and wholly slipping.
+std::vector<std::pair<Scene, Prescribed>> hot_scenes() {
+  std::vector<std::pair<Scene, Prescribed>> scenes;
+  const FrictionTemperature smooth{0.02, 0.2}, rises{-0.02};
+  for (const FrictionLaw& law : {linear_friction(rises), exponential_friction(smooth),
+                                 rational_friction(smooth), piecewise_linear_friction(smooth)})
+    for (const Prescribed given :
+         {Prescribed{creep, 0.1}, {creep, 0.5}, {stick_slip_border, 0.4}}) {
+      Scene scene{0.6, 100, 0.5};
+      scene.law = law;
+      scenes.emplace_back(scene, given);
+    }
+  return scenes;
+}
+
+// With a law of friction, too, no node is above the peak, and the highest is hardly below (as
+// above), for the traction is f phi p on the slip zone. The profile carries its loads: the sums of
+// p and q by the trapezoidal rule in arccos s of each zone, whose error is of the second order in
+// the widest step of the nodes.
+TEST(Solution, PeaksAndLoadsWithALawOfFriction) {
+  for (const auto& [scene, given] : hot_scenes()) {
+    const Solution x = solve(scene, given);
+    const double n = 0.75 * std::get<CoupledSolution>(x.found).unknowns;
+    const double missed = 50 * std::pow(pi / (2 * n), 2);
+    const Profile y = profile(x);
+    const FoundPeaks peak = peaks(x);
+    const auto expect_top = [&, value = given.value](const Eigen::ArrayXd& curve,
+                                                     double Peaks::*which) {
+      EXPECT_LE(curve.maxCoeff(), peak.value.*which + *peak.error.*which) << value;
+      EXPECT_GE(curve.maxCoeff(), peak.value.*which * (1 - missed)) << value;
+    };
+    expect_top(y.pressure, &Peaks::pressure);
+    expect_top(y.traction, &Peaks::traction);
+    expect_top(y.heat_flux, &Peaks::heat_flux);
+    double load = 0, traction_sum = 0, widest = 0, s = -1, p = 0, q = 0;
+    for (Eigen::Index i = 0; i <= y.s.size(); ++i) {
+      const bool inside = i < y.s.size();
+      const double next = inside ? y.s(i) : 1, next_p = inside ? y.pressure(i) : 0;
+      const double next_q = inside ? y.traction(i) : 0;
+      load += (next - s) * (p + next_p) / 2;
+      traction_sum += (next - s) * (q + next_q) / 2;
+      widest = std::max(widest, next - s);
+      s = next;
+      p = next_p;
+      q = next_q;
+    }
+    EXPECT_NEAR(load, 1, widest * widest);
+    EXPECT_NEAR(traction_sum, x.value(Quantity::traction), widest * widest);
+  }
+}
+
+// The least friction is f phi(T*) of the hottest point or, where friction rises, of the end of the
+// slip zone that is coldest; the nodes of the profile are between. It is the ratio of traction and
+// pressure there.
+TEST(Solution, LeastFrictionIsThatOfTheProfile) {
+  for (const auto& [scene, given] : hot_scenes()) {
+    const Solution x = solve(scene, given);
+    const Estimate least = least_friction(x).value();
+    const Profile y = profile(x);
+    double lowest = 1e300;
+    for (Eigen::Index i = 0; i < y.s.size(); ++i)
+      if (y.s(i) > x.value(stick_slip_border))
+        lowest = std::min(lowest, y.traction(i) / y.pressure(i));
+    EXPECT_LE(least.value, lowest + least.error);
+    EXPECT_GE(least.value, lowest * 0.97);
+    EXPECT_GT(least.error, 0);
+    EXPECT_LT(least.error, 1e-4);
+  }
+  EXPECT_FALSE(least_friction(solve({0.6, 100, 0.5}, {creep, 0.1})));
+}
+
+// Where nothing slips all is exact, by every method but the scheme, which cannot tell.
+TEST(Solution, NothingSlipsWithoutTraction) {
+  for (const Quantity what : {traction, creep})
+    for (const Method method :
+         {Method::automatic, Method::closed_form, Method::first_order, Method::coupled}) {
+      const Solution x = solve({0.6, 100, 1}, {what, 0}, {method});
+      EXPECT_EQ((*x.error).abs().maxCoeff(), 0);
+      EXPECT_EQ(x.value(stick_slip_border), 1);
+      EXPECT_EQ(x.value(load_ratio), 1);
+      EXPECT_EQ(x.value(heat_integral), 0);
+      const FoundPeaks peak = peaks(x);
+      EXPECT_EQ(peak.value.pressure, 2 / pi);
+      EXPECT_EQ(peak.value.traction, 0);
+      EXPECT_EQ(peak.value.heat_flux, 0);
+      const Profile y = profile(x);
+      for (Eigen::Index i = 0; i < y.s.size(); ++i)
+        EXPECT_EQ(y.pressure(i), hertz_pressure(y.s(i)));
+      for (const Eigen::ArrayXd& none : {y.traction, y.slip, y.heat_flux, y.temperature})
+        EXPECT_EQ(none.abs().maxCoeff(), 0);
+      for (const double depth : {0.0, 0.5})
+        for (const CurvePoint& point : temperature_curve(x, {-1, 0, 1, 2}, depth).points)
+          EXPECT_EQ(point.temperature, 0);
+    }
+  for (const Quantity what : {traction, creep})
+    EXPECT_THROW(solve({0.6, 100, 0}, {what, 0}, scheme), std::invalid_argument);
 }
 
 // With heat and both signs, from one end to the other: steel, where heat matters a little, and a

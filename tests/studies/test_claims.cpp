@@ -12,7 +12,7 @@
 #include "reference.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/published_scheme.hpp"
 #include "thermoroll/temperature.hpp"
@@ -144,6 +144,23 @@ TEST(Claims, TwoBodiesAreHalfAsHot) {
   EXPECT_EQ(pair->paper, "future work");
   EXPECT_NEAR(std::stod(pair->converged), 0.5, 0.005);
   EXPECT_EQ(pair->verdict, "holds, computed: half as hot");
+}
+
+// The friction there is 0.6, and Carter's contact slips everywhere at the creep 2 f / pi = 0.382.
+// The hottest point has lost less than half of its friction, so that the contact has more than half
+// left.
+TEST(Claims, HotFrictionHasALargestTraction) {
+  const auto hot = std::find_if(claims().begin(), claims().end(), [](const Claim& c) {
+    return c.claim.find("friction may depend on temperature") != std::string::npos;
+  });
+  ASSERT_NE(hot, claims().end());
+  EXPECT_EQ(hot->paper, "possible");
+  const double largest = std::stod(hot->converged);
+  EXPECT_GT(largest, 0.3);
+  EXPECT_LT(largest, 0.6);
+  const std::size_t creep = hot->converged.rfind(' ');
+  EXPECT_LT(std::stod(hot->converged.substr(creep)), 0.382);
+  EXPECT_EQ(hot->verdict.substr(0, 15), "holds, computed");
 }
 
 // The limits of the rule: half a per cent, and half a unit of the paper's last digit.

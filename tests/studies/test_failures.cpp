@@ -33,6 +33,7 @@ using thermoroll::FluxMap;
 using thermoroll::Formulation;
 using thermoroll::PublishedSolution;
 using thermoroll::Quantity;
+using thermoroll::same_kinds;
 using thermoroll::Violation;
 namespace kernel = thermoroll::kernel;
 namespace naive_scaled = thermoroll::naive_scaled;
@@ -435,6 +436,16 @@ TEST(Admissibility, ClosedFormIsAContact) {
 
 // Each condition, made to fail on an interval by a straight line through zero at its ends, is named
 // with that interval; so is more than one at a time, and a NaN.
+// The same conditions agree wherever they are violated; another condition, or one more, does not.
+TEST(Admissibility, TheSameConditionsAreViolated) {
+  const Violation separation{"separation", -1, 0}, elsewhere{"separation", 0, 1},
+      backward{"backward slip", -1, 0};
+  EXPECT_TRUE(same_kinds({}, {}));
+  EXPECT_TRUE(same_kinds({separation, backward}, {elsewhere, backward}));
+  EXPECT_FALSE(same_kinds({separation}, {backward}));
+  EXPECT_FALSE(same_kinds({separation}, {separation, backward}));
+}
+
 TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   const double border = 0.105;
   const auto only = [](const Factors& x, const std::string& what, double from, double to) {

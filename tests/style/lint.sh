@@ -11,7 +11,7 @@ cat "$@" >"$together"
 
 # lint FILE: what is found, with its place in the sources.
 lint() {
-  clang-tidy --quiet --checks=-readability-duplicate-include -p "$build" "$1" >"$work/found" 2>"$work/errors" &&
+  clang-tidy --quiet --checks=-readability-duplicate-include --extra-arg=-Wno-unknown-warning-option -p "$build" "$1" >"$work/found" 2>"$work/errors" &&
     return
   awk -v together="$1:" '
     NR == FNR { first[++n] = lines + 1; lines += $1; file[n] = $2; next }

@@ -28,4 +28,7 @@ struct Violation {
 /// What is violated, in that order; a NaN is a violation. Empty for a contact.
 std::vector<Violation> violations(const Factors& at);
 
+/// Whether both name the same conditions, wherever.
+bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b);
+
 }  // namespace thermoroll

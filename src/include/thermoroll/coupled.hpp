@@ -168,10 +168,12 @@ Profile profile(const CoupledSolution& x);
 
 /// What the tractions and the heat are made of, as Legendre coefficients: h and p-hat in y on the
 /// slip zone; p-hat and the bracket of @eq:corrective-inverse on the stick zone, in the x of its
-/// nodes. Dimensionless.
+/// nodes; and phi p-hat, which bounds the traction, on both zones, empty for constant friction.
+/// Dimensionless.
 struct SmoothTractions {
   double slip, stick;  ///< lengths of both zones
   Eigen::VectorXd h, pressure, stick_pressure, bracket;
+  Eigen::VectorXd bound{}, stick_bound{};
 };
 
 /// Those of a solution, on a grid of n unknowns at its border; of a grid other than its own, those

@@ -14,14 +14,27 @@ struct RelativeFriction {
 /// constant friction.
 using FrictionLaw = std::function<RelativeFriction(double temperature)>;
 
-/// The laws of @eq:laws: scale T0* > 0 (for linear, not 0), the floor from 0 to 1 (for
-/// piecewise-linear, the end value, zero or positive), and the reference temperature.
+enum class LawKind { linear, exponential, rational, piecewise_linear };
+
+/// The numbers of @eq:laws, on the scale of T*: T0* > 0 (for linear, not 0; below 0 friction
+/// rises), the floor from 0 to 1 (for piecewise-linear, the end value, zero or positive), and the
+/// reference temperature.
 struct FrictionTemperature {
   double scale, floor = 0, reference = 0;
+};
+
+/// A law of @eq:laws; where a FrictionLaw holds one, its target<LawOfFriction>() tells which.
+struct LawOfFriction {
+  LawKind kind;
+  FrictionTemperature of;
+  RelativeFriction operator()(double temperature) const;
 };
 FrictionLaw linear_friction(const FrictionTemperature& of);
 FrictionLaw exponential_friction(const FrictionTemperature& of);
 FrictionLaw rational_friction(const FrictionTemperature& of);
 FrictionLaw piecewise_linear_friction(const FrictionTemperature& of);
+
+/// Throw std::invalid_argument unless its numbers are in their ranges.
+void check(const LawOfFriction& law);
 
 }  // namespace thermoroll

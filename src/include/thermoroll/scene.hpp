@@ -1,6 +1,7 @@
 // Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "thermoroll/friction_law.hpp"
@@ -56,6 +57,8 @@ struct PhysicalScene {
   double expansion_2 = 0;     ///< that of the cylinder, 1/degree C
   double conductivity_2 = 0;  ///< that of the cylinder, W/(m degree C); 0 for an insulator
   Direction direction = Direction::driving;
+  std::optional<double> bulk_temperature{};  ///< of both bodies far away, degree C
+  std::optional<LawOfFriction> law{};        ///< of friction by the rise over it, degree C
 };
 
 /// The SI value of one dimensionless unit (@eq:scaled-variables, @eq:temperature-scale).

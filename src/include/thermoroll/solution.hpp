@@ -11,6 +11,7 @@
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/published_scheme.hpp"
+#include "thermoroll/quadrature.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
@@ -91,6 +92,9 @@ struct FoundInSi {
   PhysicalResults value;
   std::optional<PhysicalResults> error;
   std::vector<std::string> notes{};
+  /// The largest temperature on the surface, degree C, if the bulk temperature is known. Its error
+  /// is that of the rise.
+  std::optional<double> contact_temperature_celsius{};
 };
 
 /// Results and peaks of a scene in SI units; x solves scene_of(si, ...).
@@ -130,5 +134,8 @@ struct Curve {
 /// T* at the points s, at a depth in units of a (0 for the scheme). Throws std::invalid_argument,
 /// and std::runtime_error where an integral is not resolved.
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth);
+
+/// The least f phi(T*) on the slip zone; nothing where friction is constant or nothing slips.
+std::optional<Estimate> least_friction(const Solution& x);
 
 }  // namespace thermoroll

@@ -1,5 +1,5 @@
 // Tangled from paper/F-data-files.md; edit there.
-#include "studies/paper_case.hpp"
+#include "studies/paper_scene.hpp"
 
 namespace thermoroll::paper {
 

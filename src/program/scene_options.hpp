@@ -18,7 +18,7 @@ namespace thermoroll {
 
 using Maybe = std::optional<double>;
 
-struct CaseOptions {
+struct SceneOptions {
   double friction = 0;
   Maybe traction, creep, border;
   Maybe peclet, heating;
@@ -27,20 +27,22 @@ struct CaseOptions {
   std::string roller = "insulated", direction;
   Maybe conductivity_ratio, heating_2;
   Maybe conductivity_2, expansion_2, diffusivity_2;
+  std::string friction_law = "constant", branch;
+  Maybe friction_temperature, friction_floor, friction_reference_temperature, bulk_temperature;
   std::string method = "auto", formulation = "corrected";
   std::optional<int> nodes;
   Maybe tolerance;
 };
 
 /// Declare the options of a scene, which CLI11 will write to o.
-void add_case_options(CLI::App& command, CaseOptions& o);
+void add_scene_options(CLI::App& command, SceneOptions& o);
 
 /// Whether an option, named without its hyphens, stands for data in SI units.
 bool is_si_option(const std::string& name);
 
 /// What the options describe. In SI units, peclet and heating are not known yet, and half_width is
 /// not where there is a radius. Its traction counts only if that is given.
-struct Case {
+struct GivenScene {
   Scene scene;
   Prescribed given;
   Approach approach;
@@ -49,17 +51,17 @@ struct Case {
 };
 
 /// The scene that the options describe. Throws std::invalid_argument.
-Case read_case(const CaseOptions& o);
+GivenScene read_scene(const SceneOptions& o);
 
 /// A solution and, where the scene was given in SI units, these units and the results in them.
-struct SolvedCase {
+struct SolvedScene {
   Solution solution;
   std::optional<Units> units;
   std::optional<FoundInSi> physical;
 };
 
 /// Solve a scene; throws as solve() and half_width_of_radius() do.
-SolvedCase solve_case(const Case& c);
+SolvedScene solve_scene(const GivenScene& c);
 
 /// The number that a text is as a whole, if it is finite.
 std::optional<double> to_number(const std::string& text);

@@ -1,5 +1,5 @@
 // Tangled from paper/B-command-line.md; edit there.
-#include "program/case_options.hpp"
+#include "program/scene_options.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,55 +16,70 @@
 namespace thermoroll {
 namespace {
 
-struct CaseOption {
+struct SceneOption {
   const char *name, *unit, *meaning;
-  Maybe CaseOptions::*value;
+  Maybe SceneOptions::*value;
 };
 
-constexpr CaseOption group_options[] = {
-    {"--peclet", "NUMBER", "Peclet number Pe = V a / 2k", &CaseOptions::peclet},
+constexpr SceneOption group_options[] = {
+    {"--peclet", "NUMBER", "Peclet number Pe = V a / 2k", &SceneOptions::peclet},
     {"--heating", "NUMBER", "heating H = 2 alpha (1+nu) k P / (a K), 0 if not given",
-     &CaseOptions::heating}};
+     &SceneOptions::heating}};
 
-constexpr CaseOption si_options[] = {
-    {"--load", "N/m", "load per unit length P", &CaseOptions::load},
-    {"--speed", "m/s", "rolling speed V", &CaseOptions::speed},
-    {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &CaseOptions::shear_modulus},
-    {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &CaseOptions::poisson},
-    {"--expansion", "1/K", "thermal expansion alpha", &CaseOptions::expansion},
-    {"--diffusivity", "m^2/s", "thermal diffusivity k", &CaseOptions::diffusivity},
-    {"--conductivity", "W/(m K)", "thermal conductivity K", &CaseOptions::conductivity}};
+constexpr SceneOption si_options[] = {
+    {"--load", "N/m", "load per unit length P", &SceneOptions::load},
+    {"--speed", "m/s", "rolling speed V", &SceneOptions::speed},
+    {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &SceneOptions::shear_modulus},
+    {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &SceneOptions::poisson},
+    {"--expansion", "1/K", "thermal expansion alpha", &SceneOptions::expansion},
+    {"--diffusivity", "m^2/s", "thermal diffusivity k", &SceneOptions::diffusivity},
+    {"--conductivity", "W/(m K)", "thermal conductivity K", &SceneOptions::conductivity}};
 
-constexpr CaseOption size_options[] = {
-    {"--half-width", "m", "half-width a of the contact", &CaseOptions::half_width},
+constexpr SceneOption size_options[] = {
+    {"--half-width", "m", "half-width a of the contact", &SceneOptions::half_width},
     {"--radius", "m", "radius R of the cylinder: half-width follows, with kappa, for this load",
-     &CaseOptions::radius}};
+     &SceneOptions::radius}};
 
-constexpr CaseOption roller_group_options[] = {
+constexpr SceneOption roller_group_options[] = {
     {"--conductivity-ratio", "NUMBER", "K2 / K1, the roller's conductivity over the half-space's",
-     &CaseOptions::conductivity_ratio},
+     &SceneOptions::conductivity_ratio},
     {"--heating-2", "NUMBER", "heating H2 = 2 alpha2 (1+nu) k P / (a K2)",
-     &CaseOptions::heating_2}};
+     &SceneOptions::heating_2}};
 
-constexpr CaseOption roller_si_options[] = {
+constexpr SceneOption roller_si_options[] = {
     {"--conductivity-2", "W/(m K)", "or, in SI units, its conductivity",
-     &CaseOptions::conductivity_2},
-    {"--expansion-2", "1/K", "its thermal expansion", &CaseOptions::expansion_2}};
+     &SceneOptions::conductivity_2},
+    {"--expansion-2", "1/K", "its thermal expansion", &SceneOptions::expansion_2}};
 
-constexpr CaseOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
-                                              "its diffusivity, equal to --diffusivity, as if not "
-                                              "given",
-                                              &CaseOptions::diffusivity_2}};
+constexpr SceneOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
+                                               "its diffusivity, equal to --diffusivity, as if not "
+                                               "given",
+                                               &SceneOptions::diffusivity_2}};
 
-constexpr CaseOption given_options[] = {
+constexpr SceneOption law_options[] = {
+    {"--friction-temperature", "NUMBER",
+     "T0*, the scale of the law, or in K with SI data; for linear below 0 where friction rises",
+     &SceneOptions::friction_temperature},
+    {"--friction-floor", "NUMBER", "least friction over f, 0 unless given (piecewise-linear: last)",
+     &SceneOptions::friction_floor},
+    {"--friction-reference-temperature", "NUMBER",
+     "up to where friction is f: T* over the bulk, or degree C with SI data; the bulk if not given",
+     &SceneOptions::friction_reference_temperature}};
+
+constexpr SceneOption bulk_options[] = {
+    {"--bulk-temperature", "degree C",
+     "with SI data: that of both bodies far away; none is assumed",
+     &SceneOptions::bulk_temperature}};
+
+constexpr SceneOption given_options[] = {
     {"--traction", "NUMBER", "traction Q* = Q/P, between -f and f; negative for braking",
-     &CaseOptions::traction},
+     &SceneOptions::traction},
     {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), of the same sign",
-     &CaseOptions::creep},
+     &SceneOptions::creep},
     {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
-     &CaseOptions::border}};
+     &SceneOptions::border}};
 
-void declare(CLI::App& command, CaseOptions& o, const CaseOption& option, const char* group) {
+void declare(CLI::App& command, SceneOptions& o, const SceneOption& option, const char* group) {
   command.add_option(option.name, o.*option.value, option.meaning)
       ->type_name(option.unit)
       ->check(finite_number(option.name + 2))
@@ -80,11 +95,11 @@ void add_word(CLI::App& command, const std::string& name, std::string& word,
       ->group(group);
 }
 
-void add_approach(CLI::App& command, CaseOptions& o) {
+void add_approach(CLI::App& command, SceneOptions& o) {
   add_word(command, "method", o.method, method_names,
            "auto unless given: the least model for the tolerance", "Method");
   const char* range = "1e-11 to 1e-2; 1e-6 unless given";
-  declare(command, o, {"--tolerance", "NUMBER", range, &CaseOptions::tolerance}, "Method");
+  declare(command, o, {"--tolerance", "NUMBER", range, &SceneOptions::tolerance}, "Method");
   command.add_option("--nodes", o.nodes, "of gauss-chebyshev, 3 to 5000; 200 unless given")
       ->type_name("NUMBER")
       ->check(whole_number("nodes"))
@@ -93,14 +108,23 @@ void add_approach(CLI::App& command, CaseOptions& o) {
            "sign of the slope, corrected unless given", "Method");
 }
 
-void add_roller(CLI::App& command, CaseOptions& o) {
+void add_roller(CLI::App& command, SceneOptions& o) {
   add_word(command, "roller", o.roller, roller_names,
            "insulated unless given: all heat goes into the half-space", "Scene");
   add_word(command, "direction", o.direction, direction_names,
            "driving unless given, or as the sign of traction or creep says", "Scene");
 }
 
-Approach read_approach(const CaseOptions& o) {
+void add_law(CLI::App& command, SceneOptions& o) {
+  const char* group = "Friction that depends on temperature (see the examples)";
+  add_word(command, "friction-law", o.friction_law, law_names, "constant unless given", group);
+  for (const SceneOption& option : law_options) declare(command, o, option, group);
+  for (const SceneOption& option : bulk_options) declare(command, o, option, group);
+  add_word(command, "branch", o.branch, branch_names,
+           "of the two solutions at one traction, rising unless given", group);
+}
+
+Approach read_approach(const SceneOptions& o) {
   Approach a;
   a.method = value_of(method_names, o.method);
   a.formulation = value_of(formulation_names, o.formulation);
@@ -109,16 +133,17 @@ Approach read_approach(const CaseOptions& o) {
   return a;
 }
 
-Prescribed read_given(const CaseOptions& o) {
+Prescribed read_given(const SceneOptions& o) {
   if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
     throw std::invalid_argument(
         "exactly one of --traction, --creep and --stick-slip-border is needed");
-  if (o.traction) return {Quantity::traction, *o.traction};
+  const Branch branch = o.branch.empty() ? Branch::rising : value_of(branch_names, o.branch);
+  if (o.traction) return {Quantity::traction, *o.traction, branch};
   return o.creep ? Prescribed{Quantity::creep, *o.creep}
                  : Prescribed{Quantity::stick_slip_border, *o.border};
 }
 
-Direction read_direction(const CaseOptions& o, const Prescribed& given) {
+Direction read_direction(const SceneOptions& o, const Prescribed& given) {
   const bool has_sign = given.quantity != Quantity::stick_slip_border;
   if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
   const Direction direction = value_of(direction_names, o.direction);
@@ -130,14 +155,14 @@ Direction read_direction(const CaseOptions& o, const Prescribed& given) {
 }
 
 template <std::size_t n>
-std::string those(const CaseOption (&options)[n], const CaseOptions& o, bool given) {
+std::string those(const SceneOption (&options)[n], const SceneOptions& o, bool given) {
   std::string names;
-  for (const CaseOption& option : options)
+  for (const SceneOption& option : options)
     if ((o.*option.value).has_value() == given) names += std::string(" ") + option.name;
   return names;
 }
 
-void check_roller(const CaseOptions& o, bool si) {
+void check_roller(const SceneOptions& o, bool si) {
   const bool conducting = value_of(roller_names, o.roller) == RollerKind::conducting;
   const std::string groups = those(roller_group_options, o, true);
   const std::string in_si = those(roller_si_options, o, true) + those(roller_diffusivity, o, true);
@@ -156,7 +181,7 @@ void check_roller(const CaseOptions& o, bool si) {
             "equal to --diffusivity: bodies of unlike diffusivities are not modelled");
 }
 
-Roller read_roller(const CaseOptions& o) {
+Roller read_roller(const SceneOptions& o) {
   check_roller(o, false);
   const RollerKind kind = value_of(roller_names, o.roller);
   if (kind == RollerKind::insulated) return {};
@@ -165,7 +190,7 @@ Roller read_roller(const CaseOptions& o) {
   return {*o.conductivity_ratio, *o.heating_2};
 }
 
-void read_roller(const CaseOptions& o, PhysicalScene& si) {
+void read_roller(const SceneOptions& o, PhysicalScene& si) {
   check_roller(o, true);
   const RollerKind kind = value_of(roller_names, o.roller);
   if (kind == RollerKind::insulated) return;
@@ -173,6 +198,36 @@ void read_roller(const CaseOptions& o, PhysicalScene& si) {
   si.expansion_2 = alike ? si.expansion : *o.expansion_2;
   si.conductivity_2 = alike ? si.conductivity : *o.conductivity_2;
   require(alike || si.conductivity_2 > 0, "conductivity-2", si.conductivity_2, "positive");
+}
+
+void check_law_options(const SceneOptions& o, bool si) {
+  const std::string branch = o.branch.empty() ? "" : " --branch";
+  const std::string data = those(law_options, o, true) + branch;
+  const bool constant = !value_of(law_names, o.friction_law);
+  if (constant && !data.empty())
+    throw std::invalid_argument("constant friction has none of these:" + data +
+                                "; a --friction-law that is not constant is needed");
+  if (!constant && !o.friction_temperature)
+    throw std::invalid_argument("--friction-law " + o.friction_law +
+                                " lacks --friction-temperature");
+  if (!branch.empty() && !o.traction)
+    throw std::invalid_argument(
+        "--branch is for a given traction: a creep or a border has one solution");
+  if (!si && o.bulk_temperature)
+    throw std::invalid_argument("--bulk-temperature is for data in SI units");
+  if (si && o.friction_reference_temperature && !o.bulk_temperature)
+    throw std::invalid_argument(
+        "--friction-reference-temperature in degree C needs --bulk-temperature");
+}
+
+std::optional<LawOfFriction> read_law(const SceneOptions& o, bool si) {
+  check_law_options(o, si);
+  const std::optional<LawKind> kind = value_of(law_names, o.friction_law);
+  if (!kind) return std::nullopt;
+  LawOfFriction law{*kind, {*o.friction_temperature, o.friction_floor.value_or(0)}};
+  if (o.friction_reference_temperature)
+    law.of.reference = *o.friction_reference_temperature - (si ? *o.bulk_temperature : 0);
+  return law;
 }
 
 /// A validator for the option of this name, with this condition and description of what is allowed.
@@ -207,14 +262,14 @@ std::string or_else(const std::string& text, const std::string& other) {
 bool is_si_option(const std::string& name) {
   const auto is_in = [&](const auto& options) {
     return std::any_of(std::begin(options), std::end(options),
-                       [&](const CaseOption& option) { return option.name == "--" + name; });
+                       [&](const SceneOption& option) { return option.name == "--" + name; });
   };
   return is_in(si_options) || is_in(size_options) || is_in(roller_si_options) ||
-         is_in(roller_diffusivity);
+         is_in(roller_diffusivity) || is_in(bulk_options);
 }
 
-void add_case_options(CLI::App& command, CaseOptions& o) {
-  const auto add = [&](const CaseOption& option, const char* group) {
+void add_scene_options(CLI::App& command, SceneOptions& o) {
+  const auto add = [&](const SceneOption& option, const char* group) {
     declare(command, o, option, group);
   };
   command.add_option("--friction", o.friction, "friction coefficient f, positive")
@@ -222,28 +277,31 @@ void add_case_options(CLI::App& command, CaseOptions& o) {
       ->check(finite_number("friction"))
       ->required()
       ->group("Scene");
-  for (const CaseOption& option : given_options) add(option, "Scene");
+  for (const SceneOption& option : given_options) add(option, "Scene");
   add_roller(command, o);
-  for (const CaseOption& option : group_options) add(option, "Dimensionless scene");
+  for (const SceneOption& option : group_options) add(option, "Dimensionless scene");
   const char* si = "The same in SI units, all of them, in place of --peclet and --heating";
-  for (const CaseOption& option : si_options) add(option, si);
-  for (const CaseOption& option : size_options) add(option, si);
+  for (const SceneOption& option : si_options) add(option, si);
+  for (const SceneOption& option : size_options) add(option, si);
+  add_law(command, o);
   const char* roller = "The roller's own data, for --roller conducting";
-  for (const CaseOption& option : roller_group_options) add(option, roller);
-  for (const CaseOption& option : roller_si_options) add(option, roller);
-  for (const CaseOption& option : roller_diffusivity) add(option, roller);
+  for (const SceneOption& option : roller_group_options) add(option, roller);
+  for (const SceneOption& option : roller_si_options) add(option, roller);
+  for (const SceneOption& option : roller_diffusivity) add(option, roller);
   add_approach(command, o);
 }
 
-Case read_case(const CaseOptions& o) {
+GivenScene read_scene(const SceneOptions& o) {
   const std::string given = those(si_options, o, true) + those(size_options, o, true);
   const std::string missing = those(si_options, o, false);
   const Approach approach = read_approach(o);
   const Prescribed x = read_given(o);
   const Direction direction = read_direction(o, x);
+  const std::optional<LawOfFriction> law = read_law(o, !given.empty());
   if (given.empty()) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
-    const Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
+    Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
+    if (law) scene.law = *law;
     return {scene, x, approach, {}, {}};
   }
   if (o.peclet || o.heating)
@@ -255,10 +313,12 @@ Case read_case(const CaseOptions& o) {
                    *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
   read_roller(o, si);
   si.direction = direction;
+  si.bulk_temperature = o.bulk_temperature;
+  si.law = law;
   return {{o.friction, 0, 0}, x, approach, si, o.radius};
 }
 
-SolvedCase solve_case(const Case& c) {
+SolvedScene solve_scene(const GivenScene& c) {
   std::optional<PhysicalScene> physical = c.physical;
   Scene scene = c.scene;
   if (c.radius)

@@ -1,0 +1,526 @@
+// Friction that depends on temperature against references that share nothing with the solver: an
+// independent collocation, quadratures of the definitions, and limits in closed form.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "reference.hpp"
+#include "solver/gauss_legendre.hpp"
+#include "solver/grid_solution.hpp"
+#include "solver/hot_friction.hpp"
+#include "solver/surface.hpp"
+#include "thermoroll/coupled.hpp"
+#include "thermoroll/temperature.hpp"
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+using reference::close;
+using reference::Real;
+using thermoroll::Branch;
+using thermoroll::CoupledSolution;
+using thermoroll::Direction;
+using thermoroll::exponential_friction;
+using thermoroll::Formulation;
+using thermoroll::FrictionLaw;
+using thermoroll::GridSolution;
+using thermoroll::linear_friction;
+using thermoroll::piecewise_linear_friction;
+using thermoroll::Prescribed;
+using thermoroll::Quantity;
+using thermoroll::rational_friction;
+using thermoroll::RelativeFriction;
+using thermoroll::Roller;
+using thermoroll::Scene;
+using thermoroll::solve_on_grid;
+
+constexpr double friction = 0.6;
+
+Scene hot(double peclet, double heating, const FrictionLaw& law, const Roller& roller = {}) {
+  Scene scene{friction, peclet, heating, roller};
+  scene.law = law;
+  return scene;
+}
+
+CoupledSolution solve(const Scene& scene, const Prescribed& given, double tolerance = 1e-9) {
+  return thermoroll::solve_coupled(scene, Formulation::corrected, tolerance, given);
+}
+CoupledSolution at_border(const Scene& scene, double c0, double tolerance = 1e-9) {
+  return solve(scene, {Quantity::stick_slip_border, c0}, tolerance);
+}
+CoupledSolution at_creep(const Scene& scene, double creep, double tolerance = 1e-9) {
+  return solve(scene, {Quantity::creep, creep}, tolerance);
+}
+
+// p*, q*, v* and T* at a point t = u^2 (3 - 2u) of its zone, from the solution's series.
+struct Point {
+  double s, pressure, traction, slip, temperature;
+};
+
+Point at_slip(const CoupledSolution& x, double u) {
+  const thermoroll::SmoothTractions y = thermoroll::smooth_tractions(x, x.unknowns);
+  const double t = u * u * (3 - 2 * u), eta = thermoroll::distance_of_share(std::min(t, 1 - t));
+  const ArrayXd place = ArrayXd::Constant(1, t < 0.5 ? eta - 1 : 1 - eta);
+  const Eigen::MatrixXd series = thermoroll::legendre(place, x.unknowns);
+  const double s = 1 - y.slip * (1 - t), root = std::sqrt((1 - s) * (1 + s));
+  const ArrayXd temperature =
+      thermoroll::surface_temperature({y.slip, y.stick}, x.scene.peclet, y.h,
+                                      ArrayXd::Constant(1, s), thermoroll::gauss_legendre(240)) *
+      thermoroll::heat_share(x.scene);
+  const double p = root * (series * y.pressure)(0), phi = x.scene.law(temperature(0)).value;
+  const double heat = y.slip * std::sqrt(t * (1 - t)) * (series * y.h)(0);
+  return {s, p, friction * phi * p, heat / (phi * p), temperature(0)};
+}
+
+// The same on the stick zone, where the contact is cold.
+Point at_stick(const CoupledSolution& x, double u) {
+  const thermoroll::SmoothTractions y = thermoroll::smooth_tractions(x, x.unknowns);
+  const double fine = std::min(1.0, std::sqrt(y.slip / y.stick));
+  const double rho = std::log1p((1 - u) / fine) / std::log1p(1 / fine);
+  const ArrayXd place = ArrayXd::Constant(1, 2 * rho - 1);
+  const Eigen::MatrixXd series = thermoroll::legendre(place, y.bracket.size());
+  const double left = y.stick * u * u * (3 - 2 * u), s = left - 1, gap = y.stick - left;
+  const double p = std::sqrt((1 - s) * (1 + s)) * (series * y.stick_pressure)(0);
+  return {s, p, friction * p - std::sqrt(left * gap) * (series * y.bracket)(0), 0, 0};
+}
+
+void expect_point(const Point& x, const Point& expected) {
+  EXPECT_TRUE(close(x.s, expected.s, 1e-14L));
+  EXPECT_TRUE(close(x.pressure, expected.pressure, 1e-8L)) << expected.s;
+  EXPECT_TRUE(close(x.traction, expected.traction, 1e-8L)) << expected.s;
+  EXPECT_TRUE(close(x.slip, expected.slip, 1e-8L)) << expected.s;
+  EXPECT_TRUE(close(x.temperature, expected.temperature, 1e-8L)) << expected.s;
+}
+
+// Traction, creep, creep constant, load ratio, gamma0, heat and largest temperature.
+constexpr Quantity results[] = {
+    Quantity::traction, Quantity::creep,         Quantity::creep_constant, Quantity::load_ratio,
+    Quantity::gamma0,   Quantity::heat_integral, Quantity::max_temperature};
+
+void expect_results(const CoupledSolution& x, const std::vector<double>& expected) {
+  EXPECT_TRUE(x.violations.empty());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_TRUE(close(x.value(results[i]), expected[i], 1e-8L)) << i;
+}
+
+// The nodes of the slip zone and what a law needs there.
+struct Grid {
+  Grid(double c0, double peclet, int n)
+      : zones{1 - c0, 1 + c0},
+        rules(n, zones, peclet),
+        nodes(thermoroll::place_nodes(zones, rules.slip, rules.stick)),
+        hot(thermoroll::hot_friction({friction, peclet, 0}, nodes, rules, n)) {}
+  thermoroll::ZoneLengths zones;
+  thermoroll::GridRules rules;
+  thermoroll::Nodes nodes;
+  thermoroll::HotFriction hot;
+};
+
+}  // namespace
+
+// The formulas typed once more, with the derivative as a difference of them: of second order in the
+// step, 1e-5, with derivatives of order one.
+TEST(HotFriction, LawsAreTheirFormulas) {
+  const double scale = 0.7, floor = 0.2, start = 0.3;
+  struct Row {
+    const char* name;
+    FrictionLaw law;
+    std::function<double(double)> formula;
+  };
+  const Row rows[] = {
+      {"linear", linear_friction({scale, floor, start}),
+       [&](double x) { return std::max(floor, 1 - x); }},
+      {"rising", linear_friction({-scale, floor, start}), [&](double x) { return 1 + x; }},
+      {"exponential", exponential_friction({scale, floor, start}),
+       [&](double x) { return floor + (1 - floor) * std::exp(-x); }},
+      {"rational", rational_friction({scale, floor, start}),
+       [&](double x) { return floor + (1 - floor) / (1 + x); }},
+      {"piecewise", piecewise_linear_friction({scale, floor, start}),
+       [&](double x) { return 1 + (floor - 1) * std::min(x, 1.0); }},
+      {"piecewise, rising", piecewise_linear_friction({scale, 1.5, start}),
+       [&](double x) { return 1 + 0.5 * std::min(x, 1.0); }}};
+  for (const auto& [name, law, formula] : rows) {
+    for (const double below : {-5.0, 0.0, start}) {
+      EXPECT_EQ(law(below).value, 1) << name;
+      EXPECT_EQ(law(below).slope, 0) << name;
+    }
+    for (const double theta : {0.1, 0.5, 0.65, 0.75, 3.0}) {
+      const RelativeFriction at = law(start + theta);
+      const auto phi = [&, &of = formula](double x) { return of(x / scale); };
+      EXPECT_NEAR(at.value, phi(theta), 1e-15) << name << ' ' << theta;
+      EXPECT_NEAR(at.slope, (phi(theta + 1e-5) - phi(theta - 1e-5)) / 2e-5, 1e-9)
+          << name << ' ' << theta;
+    }
+  }
+}
+
+// S by the tanh-sinh rule from either side of the point, for a cosine, whose quotient of
+// differences does not cancel; S[1] is -1, and -s in full slip. At the nodes next to the border
+// weights over distances are as large as n^2 in S, and so is what it makes of roundings. The sums
+// are smooth.
+TEST(HotFriction, OperatorIsItsIntegral) {
+  constexpr int n = 40;
+  for (const double c0 : {0.9, -0.1845, -0.9, -1.0}) {
+    const Grid grid(c0, 10, n);
+    const ArrayXd& s = grid.nodes.s;
+    const bool full = c0 == -1;
+    const Real length = 1 - c0;
+    const auto weight = [&](Real left, Real right) {
+      return full ? std::sqrt(left * right) : std::sqrt(right / left);
+    };
+    const Eigen::MatrixXd all = grid.hot.s + grid.hot.at_node;
+    const VectorXd of_one = all * VectorXd::Ones(n), of_cosine = all * s.cos().matrix();
+    for (Index i = 0; i < n; i += 3) {
+      EXPECT_NEAR(of_one(i), full ? -s(i) : -1, n * n * 1e-14) << c0;
+      const thermoroll::SlipPoint at(1 + grid.nodes.y(i), 1 - grid.nodes.y(i));
+      const Real here = s(i), gap = length * at.t(), rest = length - gap;
+      // With t = s + u, cos t - cos s = -2 sin(s + u/2) sin(u/2).
+      const auto quotient = [&](Real u) {
+        return u == 0 ? -std::sin(here) : -2 * std::sin(here + u / 2) * std::sin(u / 2) / u;
+      };
+      const Real sum =
+          reference::integral(
+              [&](Real left, Real right) { return weight(left, rest + right) * quotient(-right); },
+              gap) +
+          reference::integral(
+              [&](Real left, Real right) { return weight(gap + left, right) * quotient(left); },
+              rest);
+      EXPECT_TRUE(close(of_cosine(i), sum / reference::pi - std::cos(here) * (full ? here : 1),
+                        n * n * 1e-13L))
+          << c0 << ' ' << s(i);
+    }
+    const auto sum = [&](bool moment) {
+      return reference::integral(
+          [&](Real left, Real right) {
+            const Real t = c0 + left;
+            return (moment && !full ? t + length / 2 : 1) * weight(left, right) *
+                   std::cos(t - 0.5L);
+          },
+          length);
+    };
+    EXPECT_TRUE(close((grid.hot.weight * (s - 0.5).cos()).sum(), sum(false), 1e-14L)) << c0;
+    EXPECT_TRUE(close((grid.hot.moment * (s - 0.5).cos()).sum(), sum(true), 1e-14L)) << c0;
+  }
+}
+
+// The temperature at the nodes of both zones by the adaptive quadrature of the kernel over the
+// heat, which is good to 1e-9 of the largest.
+TEST(HotFriction, TemperatureIsItsIntegral) {
+  constexpr int n = 80;
+  for (const double c0 : {0.5, -0.9, -1.0})
+    for (const double peclet : {0.5, 100.0}) {
+      const Grid grid(c0, peclet, n);
+      VectorXd h(n);
+      for (Index l = 0; l < n; ++l)
+        h(l) = std::exp(-static_cast<double>(l)) * (static_cast<double>(l % 3) - 0.7);
+      CoupledSolution x{};
+      x.h = h;
+      x.value(Quantity::stick_slip_border) = c0;
+      x.value(Quantity::slip_length) = 1 - c0;
+      const thermoroll::HeatFlux flux = thermoroll::coupled_flux(x);
+      const VectorXd found = grid.hot.temperature * h;
+      const double largest = found.lpNorm<Eigen::Infinity>();
+      ArrayXd s(found.size());
+      s << grid.nodes.s, grid.nodes.r;
+      for (Index i = 1; i < s.size(); i += 3)
+        EXPECT_NEAR(found(i), thermoroll::temperature(flux, peclet, s(i)).value, 2e-9 * largest)
+            << c0 << ' ' << peclet << ' ' << s(i);
+    }
+}
+
+// An independent collocation with panels, in Python, converged to 1e-10.
+TEST(HotFriction, AgreesWithIndependentReferences) {
+  const CoupledSolution x = at_border(hot(100, 0.0175, linear_friction({0.05})), -0.1845, 1e-10);
+  expect_results(x,
+                 {0.44299843422632906, 0.2065303554760844, 0.20690500890546176, 1.0008806076590846,
+                  0.0006244223822956088, 0.15276609378586398, 0.011179861743745481});
+  expect_point(at_stick(x, 0.25), {-0.872578125, 0.31100661271994207, 0.06845387986787775, 0, 0});
+  expect_point(at_stick(x, 0.5),
+               {-0.5922499999999999, 0.5128908596957186, 0.14263404811527997, 0, 0});
+  expect_point(at_stick(x, 0.75), {-0.311921875, 0.6044464869289351, 0.23847442915289624, 0, 0});
+  expect_point(at_slip(x, 0.1), {-0.151334, 0.6283445464492274, 0.37270056364420295,
+                                 0.07496317280646526, 0.0005710991219795528});
+  expect_point(at_slip(x, 0.25), {0.0005781249999999849, 0.6359641039846803, 0.3586680797479738,
+                                  0.1831334983613622, 0.0030020539549438377});
+  expect_point(at_slip(x, 0.5), {0.40774999999999995, 0.5814920761848384, 0.2891596134712072,
+                                 0.3397830237368619, 0.008560683037967386});
+  expect_point(at_slip(x, 0.75), {0.8149218749999999, 0.36982806593681256, 0.1722897488942927,
+                                  0.45042413262858183, 0.011177962418413488});
+  expect_point(at_slip(x, 0.9), {0.9668339999999999, 0.1633663117865193, 0.0775342274756013,
+                                 0.49362121018806127, 0.010449706231906613});
+  expect_results(at_border(hot(100, 0.0175, linear_friction({0.02})), -0.9, 1e-10),
+                 {0.3835801169533087, 0.29173187949186874, 0.292166164423639, 1.0001892450918173,
+                  0.0007238082196171695, 0.18664158890941246, 0.010709391581049948});
+  expect_results(at_border(hot(100, 0.0175, exponential_friction({0.01, 0.3})), -0.1845, 1e-10),
+                 {0.37928216097169226, 0.18260598189805807, 0.18288352217193374, 1.0005960847411761,
+                  0.0004625671231261293, 0.11561261618070426, 0.008140298722627002});
+  expect_results(at_border(hot(100, 1, linear_friction({0.01}), {1, 1}), -0.1845, 1e-10),
+                 {0.382865721246682, 0.18198939581670381, 0.19815493531966205, 1.0365550838988438,
+                  0.02694256583826374, 0.11612916881438066, 0.00412857972698018});
+  const CoupledSolution full =
+      at_creep(hot(100, 0.0175, exponential_friction({0.01, 0.3})), 1, 1e-10);
+  EXPECT_EQ(full.value(Quantity::stick_slip_border), -1);
+  expect_results(full, {0.2631520731461275, 1, 1.0011107927303353, 0.9992146157784616,
+                        0.0018513212172253722, 0.4385820356579189, 0.023552687018373875});
+}
+
+// A law that is constant is a smaller coefficient: with phi = c, the same as f = c f0, but for heat
+// and temperature, whose units have f0 in them. With c = 1 it is the solver without a law.
+TEST(HotFriction, ConstantLawIsASmallerCoefficient) {
+  for (const double share : {1.0, 0.4})
+    for (const double c0 : {0.5, -0.1845, -0.9, -1.0}) {
+      const Scene scene = hot(100, 1, [=](double) { return RelativeFriction{share, 0}; });
+      const Scene plain{share * friction, 100, 1};
+      const Prescribed given =
+          c0 > -1 ? Prescribed{Quantity::stick_slip_border, c0} : Prescribed{Quantity::creep, 0.5};
+      const CoupledSolution x = solve(scene, given), y = solve(plain, given);
+      for (int i = 0; i < thermoroll::compared; ++i) {
+        const auto q = static_cast<Quantity>(i);
+        const bool heat = q == Quantity::heat_integral || q == Quantity::max_temperature;
+        const double more =  // C is xi* + f gamma0
+            q == Quantity::creep_constant ? (1 - share) * friction * y.value(Quantity::gamma0) : 0;
+        EXPECT_TRUE(close(x.value[i], (heat ? share : 1) * y.value[i] + more, 1e-11L))
+            << c0 << ' ' << i;
+      }
+    }
+}
+
+// Without distortion, Q* / f and xi* / f depend on the border, Pe and T0* / f only; and at high
+// speed on the softening number f / (T0* sqrt(Pe)), to order 1 / Pe.
+TEST(HotFriction, SofteningNumberDecides) {
+  const auto solved = [](double f, double peclet, double softening) {
+    Scene scene{f, peclet, 0};
+    scene.law = linear_friction({f / (softening * std::sqrt(peclet))});
+    const CoupledSolution x = at_border(scene, -0.1845, 1e-8);
+    return std::pair{x.value(Quantity::traction) / f, x.value(Quantity::creep) / f};
+  };
+  const auto [q, creep] = solved(0.6, 100, 3);
+  const auto [q_of_less, creep_of_less] = solved(0.2, 100, 3);
+  EXPECT_NEAR(q_of_less, q, 1e-12);
+  EXPECT_NEAR(creep_of_less, creep, 1e-12);
+  // The same prototype: 0.63590725, 0.63631672, 0.63635365, 0.63636198 at Pe = 100 ... 5e4.
+  const double slow = solved(0.6, 1e3, 3).first, fast = solved(0.6, 1e4, 3).first,
+               fastest = solved(0.6, 1e5, 3).first;
+  EXPECT_NEAR(q, 0.63590725, 1e-8);
+  EXPECT_NEAR(slow, 0.63631672, 1e-8);
+  EXPECT_NEAR((fast - slow) / (fastest - fast), 10, 0.5);
+}
+
+// Two bodies alike: the power of the pull is the heat, f0 heat = xi* Q*, with a law as well.
+TEST(HotFriction, HeatIsThePowerOfThePull) {
+  for (const Direction direction : {Direction::driving, Direction::braking})
+    for (const FrictionLaw& law : {exponential_friction({0.01, 0.3}), rational_friction({0.005}),
+                                   linear_friction({-0.05}), linear_friction({0.02})})
+      for (const double c0 : {0.3, -0.6, -1.0}) {
+        Scene scene = hot(100, 0.5, law, {1, 0.5});
+        scene.direction = direction;
+        const CoupledSolution x = c0 > -1 ? at_border(scene, c0) : at_creep(scene, 0.6);
+        EXPECT_EQ(x.value(Quantity::stick_slip_border), c0);
+        const double heat = friction * x.value(Quantity::heat_integral);
+        const double power = x.value(Quantity::creep) * x.value(Quantity::traction);
+        EXPECT_NEAR(heat, power, 2e-9) << c0;
+      }
+}
+
+// Slip pulls with phi f p, stick with less; both tractions carry their loads, whose sums are taken
+// by the rules of the nodes. Low speed warms the stick zone as well. The temperature of a profile
+// is by a finer rule than that in the law, which is good to 1e-8 on the grids of this tolerance.
+TEST(HotFriction, TractionsCarryTheLoads) {
+  for (const double peclet : {0.5, 100.0})
+    for (const FrictionLaw& law : {exponential_friction({0.03, 0.3}), rational_friction({0.02}),
+                                   linear_friction({-2}), linear_friction({0.2})})
+      for (const double c0 : {0.3, -0.6, -1.0}) {
+        const Scene scene = hot(peclet, 0.1, law);
+        const CoupledSolution x = c0 > -1 ? at_border(scene, c0) : at_creep(scene, 1);
+        EXPECT_TRUE(x.violations.empty()) << peclet;
+        const thermoroll::Profile y = thermoroll::profile(x);
+        const Index n = x.unknowns, m = y.s.size() - n;
+        for (Index i = 0; i < m + n; ++i) {
+          const double limit = friction * law(y.temperature(i)).value * y.pressure(i);
+          if (i < m) {
+            EXPECT_LT(y.traction(i), limit) << y.s(i);
+          } else {
+            EXPECT_NEAR(y.traction(i), limit, 1e-8) << y.s(i);
+            EXPECT_GT(y.slip(i), 0) << y.s(i);
+          }
+        }
+        // Of the roots only the lesser powers are left in u: smooth.
+        const double length = x.value(Quantity::slip_length);
+        const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(static_cast<int>(n));
+        ArrayXd ds(n);
+        for (Index i = 0; i < n; ++i) {
+          const thermoroll::SlipPoint at(1 + rule.x(i), 1 - rule.x(i));
+          ds(i) = length * 6 * at.u * at.v * at.du * rule.w(i);
+        }
+        double load = (ds * y.pressure.tail(n)).sum(), pull = (ds * y.traction.tail(n)).sum();
+        if (m > 0) {
+          const double stick = 2 - length, fine = std::min(1.0, std::sqrt(length / stick)),
+                       k = std::log1p(1 / fine);
+          const thermoroll::GaussLegendre& other = thermoroll::gauss_legendre(static_cast<int>(m));
+          const ArrayXd grown = fine * (k * other.rho).exp(), q = grown - fine;
+          const ArrayXd dr = stick * 6 * q * (1 - q) * k / 2 * grown * other.w;
+          load += (dr * y.pressure.head(m).reverse()).sum();
+          pull += (dr * y.traction.head(m).reverse()).sum();
+        }
+        EXPECT_NEAR(load, 1, 1e-9) << peclet << ' ' << c0;
+        EXPECT_NEAR(pull, x.value(Quantity::traction), 1e-9) << peclet << ' ' << c0;
+      }
+}
+
+// Friction that is lost at a hundredth of the temperature it would cause: found at any border, the
+// steeper the less the traction, and the contact no hotter than the law has friction for.
+TEST(HotFriction, SteepLawsAreReached) {
+  for (const double c0 : {0.9, 0.5, 0.2, -0.1845, -0.4, -0.6, -0.8, -0.9, -0.99}) {
+    double last = friction;
+    for (const double scale : {3e-3, 1e-3, 3e-4, 1e-4, 3e-5}) {
+      const CoupledSolution x = at_border(hot(4360, 0.0175, linear_friction({scale})), c0, 1e-4);
+      EXPECT_TRUE(x.violations.empty()) << c0 << ' ' << scale;
+      EXPECT_LT(x.value(Quantity::max_temperature), scale) << c0;
+      EXPECT_LT(x.value(Quantity::traction), last) << c0 << ' ' << scale;
+      last = x.value(Quantity::traction);
+    }
+  }
+}
+
+// Laws with a kink inside the slip zone, from the reference temperature or the floor: no solution
+// is further from a finer one than its error says, and its error at most the tolerance. The finer
+// one, of 360 unknowns, is off by less than a tenth of that, as the order is two.
+TEST(HotFriction, KinkedLawsAreWithinTheirErrors) {
+  struct Row {
+    double peclet, c0;
+    FrictionLaw law;
+  };
+  for (const auto& [peclet, c0, law] :
+       {Row{100, -0.1845, piecewise_linear_friction({0.005, 0.3, 0.004})},
+        Row{46.6, 0.8, piecewise_linear_friction({0.0011, 0.75})},
+        Row{35.6, -0.35, piecewise_linear_friction({0.019, 0.75, 0.0095})},
+        Row{139, -0.87, linear_friction({0.012, 0.5})},
+        Row{1600, 0.3, piecewise_linear_friction({0.0024, 1.4, 0.0012})},
+        Row{136, -0.23, linear_friction({0.015, 0.4, 0.007})}}) {
+    const Scene scene = hot(peclet, 0.0175, law);
+    const CoupledSolution x = at_border(scene, c0, 1e-3);
+    EXPECT_TRUE(x.violations.empty()) << peclet;
+    EXPECT_LE(x.unknowns, 240) << peclet;
+    GridSolution finer;
+    for (const int n : {60, 120, 360})
+      finer = solve_on_grid(scene, Formulation::corrected, n, {1 - c0, 1 + c0}, finer);
+    ASSERT_GT(finer.newton_steps, 0) << peclet;
+    for (int i = 0; i < thermoroll::compared; ++i)
+      EXPECT_LE(std::abs(x.value[i] - finer.value[i]), x.error[i]) << peclet << ' ' << i;
+  }
+  // The order, by the changes of the traction: a quarter, but not of one sign; from three
+  // doublings.
+  const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.005, 0.3, 0.004}));
+  std::vector<double> traction;
+  GridSolution level;
+  for (const int n : {15, 30, 60, 120, 240, 480}) {
+    level = solve_on_grid(scene, Formulation::corrected, n, {1.1845, 0.8155}, level);
+    traction.push_back(level.value(Quantity::traction));
+  }
+  EXPECT_LT(std::abs(traction[5] - traction[4]), std::abs(traction[2] - traction[1]) / 30);
+}
+
+// Friction that is lost altogether at T0*: at large creep all the contact is as hot, and heat and
+// pull go to xi* Q* = f T0* sqrt(16 Pe / pi) (1 + 1/(16 Pe)); with a floor the pull goes to that.
+TEST(HotFriction, LargeCreepIsAllAtOneTemperature) {
+  const double peclet = 100, scale = 0.02;
+  const double limit =
+      friction * scale * std::sqrt(16 * peclet / thermoroll::pi) * (1 + 1 / (16 * peclet));
+  std::vector<double> power;
+  for (const double creep : {10.0, 100.0, 1000.0})
+    power.push_back(
+        creep *
+        at_creep(hot(peclet, 0, linear_friction({scale})), creep, 1e-6).value(Quantity::traction));
+  EXPECT_GT(power[0], 0.9 * limit);
+  EXPECT_LT(power[2], limit);
+  const double first = power[1] - power[0], second = power[2] - power[1];
+  EXPECT_GT(first / second, 5);  // nearly of first order in 1 / xi*
+  EXPECT_NEAR(power[2] + second * second / (first - second), limit, 1e-3 * limit);  // Aitken
+  double before = 1;
+  for (const double creep : {10.0, 100.0, 1000.0}) {
+    const Scene scene = hot(peclet, 0, exponential_friction({scale, 0.3}));
+    const double above = at_creep(scene, creep, 1e-7).value(Quantity::traction) - 0.3 * friction;
+    EXPECT_GT(above, 0);
+    EXPECT_LT(above, before / 10);
+    before = above;
+  }
+}
+
+// The same prototype: the maximum 0.3977646774 to 1e-9, where the creep is 0.2353855 to 2e-5; and
+// two others, of which no error is known, to the digits before the last two.
+TEST(HotFriction, MaximumOfTheCurve) {
+  struct Row {
+    double scale, traction, traction_error, creep, creep_error;
+  };
+  for (const Row& row : {Row{0.05, 0.4877470745, 1e-8, 0.30112, 2e-5},
+                         Row{0.02, 0.3977646774, 1e-9, 0.2353855, 2e-5},
+                         Row{0.01, 0.3207437041, 1e-8, 0.18171, 2e-5}}) {
+    const CoupledSolution x =
+        solve(hot(100, 0.0175, linear_friction({row.scale})), {Quantity::traction, 0.3}, 1e-9);
+    ASSERT_TRUE(x.limit);
+    EXPECT_EQ(x.branch, Branch::rising);
+    EXPECT_NEAR(x.limit->traction, row.traction, row.traction_error);
+    EXPECT_NEAR(x.limit->creep, row.creep, row.creep_error);
+  }
+}
+
+// The same prototype: at Q* = 0.37 two solutions, one of them in full slip.
+TEST(HotFriction, TwoSolutionsAtOneTraction) {
+  const Scene scene = hot(100, 0.0175, linear_friction({0.02}));
+  const CoupledSolution rising = solve(scene, {Quantity::traction, 0.37}),
+                        falling = solve(scene, {Quantity::traction, 0.37, Branch::falling});
+  const auto agree = [](const CoupledSolution& x, Quantity q, Real expected) {
+    return close(x.value(q), expected, 1e-8L);
+  };
+  EXPECT_TRUE(agree(rising, Quantity::traction, 0.37L));
+  EXPECT_TRUE(agree(rising, Quantity::stick_slip_border, -0.078234732L));
+  EXPECT_TRUE(agree(rising, Quantity::creep, 0.1701887475L));
+  EXPECT_TRUE(agree(rising, Quantity::max_temperature, 0.0076739003L));
+  EXPECT_TRUE(agree(falling, Quantity::traction, 0.37L));
+  EXPECT_EQ(falling.value(Quantity::stick_slip_border), -1);
+  EXPECT_TRUE(agree(falling, Quantity::creep, 0.3185611334L));
+  EXPECT_TRUE(agree(falling, Quantity::max_temperature, 0.0110841271L));
+  EXPECT_EQ(rising.branch, Branch::rising);
+  EXPECT_EQ(falling.branch, Branch::falling);
+  // Either is the solution of its creep.
+  for (const CoupledSolution* x : {&rising, &falling}) {
+    const CoupledSolution y = at_creep(scene, x->value(Quantity::creep));
+    EXPECT_NEAR(y.value(Quantity::traction), 0.37, 1e-8);
+  }
+}
+
+// Above the maximum, below the end of the falling branch, on a branch that is not there: refused,
+// with what there is.
+TEST(HotFriction, RefusesBeyondTheMaximum) {
+  const Scene scene = hot(100, 0.0175, linear_friction({0.02}));
+  const auto refused = [](const Scene& of, const Prescribed& given, const std::string& what) {
+    try {
+      solve(of, given, 1e-6);
+    } catch (const std::invalid_argument& refusal) {
+      return std::string(refusal.what()).find(what) != std::string::npos
+                 ? ::testing::AssertionSuccess()
+                 : ::testing::AssertionFailure() << refusal.what();
+    }
+    return ::testing::AssertionFailure() << "solved";
+  };
+  for (const Branch branch : {Branch::rising, Branch::falling}) {
+    EXPECT_TRUE(refused(scene, {Quantity::traction, 0.398, branch},
+                        "at most 0.397765, the largest, at the creep 0.2353"));
+    EXPECT_TRUE(refused(scene, {Quantity::traction, 0.7, branch}, "at most 0.397765"));
+    EXPECT_TRUE(refused(scene, {Quantity::traction, 0, branch}, "traction = 0 "));
+  }
+  EXPECT_NO_THROW(solve(scene, {Quantity::traction, 0.3977, Branch::falling}, 1e-6));
+  const Scene rises = hot(100, 0.0175, linear_friction({-0.05}));
+  EXPECT_TRUE(refused(rises, {Quantity::traction, 0.3, Branch::falling},
+                      "branch = falling does not exist"));
+  // Down to the floor, and no further.
+  const Scene floor = hot(100, 0.0175, exponential_friction({0.01, 0.3}));
+  EXPECT_TRUE(refused(floor, {Quantity::traction, 0.17, Branch::falling}, "on the falling branch"));
+}
