@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md, paper/23-unlike-bodies.md; edit there.
 #include "thermoroll/scene.hpp"
 
 #include <cmath>
@@ -12,14 +12,16 @@ PhysicalScene wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5
 
 Scene scene_of(const PhysicalScene& si, double friction) {
   const double peclet = si.speed * si.half_width / (2 * si.diffusivity);
-  const auto heating = [&](double expansion, double conductivity) {
-    return 2 * expansion * (1 + si.poisson) * si.diffusivity * si.load /
+  const auto heating = [&](double expansion, double diffusivity, double conductivity) {
+    return 2 * expansion * (1 + si.poisson) * diffusivity * si.load /
            (si.half_width * conductivity);
   };
-  Scene scene{friction, peclet, heating(si.expansion, si.conductivity)};
+  Scene scene{friction, peclet, heating(si.expansion, si.diffusivity, si.conductivity)};
+  const double other = si.diffusivity_2 > 0 ? si.diffusivity_2 : si.diffusivity;
   if (si.conductivity_2 > 0)
     scene.roller = {si.conductivity_2 / si.conductivity,
-                    heating(si.expansion_2, si.conductivity_2)};
+                    heating(si.expansion_2, other, si.conductivity_2),
+                    other == si.diffusivity ? 0 : si.speed * si.half_width / (2 * other)};
   scene.direction = si.direction;
   const double unit = units_of(si, friction).temperature;
   if (si.law) {
@@ -55,6 +57,7 @@ void check(const Scene& scene) {
   require(roller.conductivity_ratio >= 0, "conductivity-ratio", roller.conductivity_ratio,
           "zero or positive");
   require(roller.heating >= 0, "heating-2", roller.heating, "zero or positive");
+  require(roller.peclet >= 0, "peclet-2", roller.peclet, "zero or positive");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
 }
 
@@ -68,6 +71,7 @@ void check_but_half_width(const PhysicalScene& si) {
   require(si.conductivity > 0, "conductivity", si.conductivity, "positive");
   require(si.expansion_2 >= 0, "expansion-2", si.expansion_2, "zero or positive");
   require(si.conductivity_2 >= 0, "conductivity-2", si.conductivity_2, "zero or positive");
+  require(si.diffusivity_2 >= 0, "diffusivity-2", si.diffusivity_2, "zero or positive");
   const double bulk = si.bulk_temperature.value_or(0);
   require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
   if (si.law) check(*si.law);
@@ -82,12 +86,31 @@ double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivit
 
 double heating_of_both(const Scene& scene) {
   const Roller& roller = scene.roller;
-  return heat_share(scene) * (scene.heating + roller.conductivity_ratio * roller.heating);
+  const double other = roller.conductivity_ratio * roller.heating * peclet_ratio(scene);
+  return heat_share(scene) * (scene.heating + other);
 }
 
 double strain_share(const Scene& scene) {
-  const double own = scene.heating, other = scene.roller.conductivity_ratio * scene.roller.heating;
+  const Roller& roller = scene.roller;
+  const double own = scene.heating;
+  const double other = roller.conductivity_ratio * roller.heating * peclet_ratio(scene);
   return own + other > 0 ? sign_of(scene.direction) * (own - other) / (own + other) : 0;
 }
+
+double peclet_2(const Scene& scene) {
+  return scene.roller.peclet > 0 ? scene.roller.peclet : scene.peclet;
+}
+
+double peclet_ratio(const Scene& scene) { return peclet_2(scene) / scene.peclet; }
+
+bool is_unlike(const Scene& scene) {
+  return scene.roller.conductivity_ratio > 0 && peclet_ratio(scene) != 1;
+}
+
+double effusivity_ratio(const Scene& scene) {
+  return scene.roller.conductivity_ratio * std::sqrt(peclet_ratio(scene));
+}
+
+double effusivity_share(const Scene& scene) { return 1 / (1 + effusivity_ratio(scene)); }
 
 }  // namespace thermoroll

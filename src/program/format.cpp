@@ -40,14 +40,14 @@ constexpr Row<PhysicalResults> physical_rows[] = {
 RollerKind kind_of(const Scene& scene) {
   const Roller& roller = scene.roller;
   if (roller.conductivity_ratio == 0) return RollerKind::insulated;
-  const bool alike = roller.conductivity_ratio == 1 && roller.heating == scene.heating;
+  const bool alike = roller.conductivity_ratio == 1 && roller.heating == scene.heating && roller.peclet == 0;
   return alike ? RollerKind::identical : RollerKind::conducting;
 }
 
 void share_heat(json& o, const Scene& scene, const Results& x) {
-  const double heat = heat_share(scene) * x(Quantity::heat_integral);
+  const double heat = effusivity_share(scene) * x(Quantity::heat_integral);
   o["heat_1"] = heat;
-  o["heat_2"] = scene.roller.conductivity_ratio * heat;
+  o["heat_2"] = effusivity_ratio(scene) * heat;
 }
 
 void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {
@@ -129,12 +129,14 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["direction"] = name_of(direction_names, x.scene.direction);
   o["heating_2"] = insulated ? json() : json(x.scene.roller.heating);
   o["conductivity_ratio"] = insulated ? json() : json(x.scene.roller.conductivity_ratio);
+  o["peclet_2"] = insulated ? json() : json(peclet_2(x.scene));
+  o["effusivity_ratio"] = insulated ? json() : json(effusivity_ratio(x.scene));
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   describe_law(o, x.scene, coupled);
   o.update(object(x.value));
   share_heat(o, x.scene, x.value);
   if (x.error) share_heat(error, x.scene, *x.error);
-  o["heat_partition"] = heat_share(x.scene);
+  o["heat_partition"] = effusivity_share(x.scene);
   o["full_slip"] = all_slips(x);
   add_limits(o, x.error ? &error : nullptr, x);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
@@ -211,7 +213,7 @@ void erase_keys(json& o, const std::vector<const char*>& keys) {
 
 void leave_out(json& o, const MoreColumns& with) {
   if (!with.roller)
-    erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "heat_1", "heat_2",
+    erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "peclet_2", "effusivity_ratio", "heat_1", "heat_2",
                    "heat_partition"});
   if (!with.law)
     erase_keys(o, {"friction_law", "friction_temperature", "friction_floor",
@@ -309,6 +311,8 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     plain("roller", "");
     plain("heating_2", "H2");
     plain("conductivity_ratio", "K2/K1");
+    plain("peclet_2", "Pe2");
+    plain("effusivity_ratio", "e2/e1");
     plain("heat_partition", "omega");
   }
   if (x.scene.direction == Direction::braking) plain("direction", "");

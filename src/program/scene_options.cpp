@@ -43,7 +43,7 @@ constexpr SceneOption size_options[] = {
 constexpr SceneOption roller_group_options[] = {
     {"--conductivity-ratio", "NUMBER", "K2 / K1, the roller's conductivity over the half-space's",
      &SceneOptions::conductivity_ratio},
-    {"--heating-2", "NUMBER", "heating H2 = 2 alpha2 (1+nu) k P / (a K2)",
+    {"--heating-2", "NUMBER", "heating H2 = 2 alpha2 (1+nu) k2 P / (a K2)",
      &SceneOptions::heating_2}};
 
 constexpr SceneOption roller_si_options[] = {
@@ -51,10 +51,13 @@ constexpr SceneOption roller_si_options[] = {
      &SceneOptions::conductivity_2},
     {"--expansion-2", "1/K", "its thermal expansion", &SceneOptions::expansion_2}};
 
-constexpr SceneOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
-                                               "its diffusivity, equal to --diffusivity, as if not "
-                                               "given",
-                                               &SceneOptions::diffusivity_2}};
+constexpr SceneOption roller_peclet[] = {
+    {"--peclet-2", "NUMBER", "its Peclet number Pe2 = V a / 2 k2, --peclet if not given",
+     &SceneOptions::peclet_2}};
+
+constexpr SceneOption roller_diffusivity[] = {
+    {"--diffusivity-2", "m^2/s", "its diffusivity, --diffusivity if not given",
+     &SceneOptions::diffusivity_2}};
 
 constexpr SceneOption law_options[] = {
     {"--friction-temperature", "NUMBER",
@@ -164,7 +167,7 @@ std::string those(const SceneOption (&options)[n], const SceneOptions& o, bool g
 
 void check_roller(const SceneOptions& o, bool si) {
   const bool conducting = value_of(roller_names, o.roller) == RollerKind::conducting;
-  const std::string groups = those(roller_group_options, o, true);
+  const std::string groups = those(roller_group_options, o, true) + those(roller_peclet, o, true);
   const std::string in_si = those(roller_si_options, o, true) + those(roller_diffusivity, o, true);
   if (!conducting && !(groups + in_si).empty())
     throw std::invalid_argument("--roller " + o.roller + " has no data of its own; for" + groups +
@@ -176,9 +179,6 @@ void check_roller(const SceneOptions& o, bool si) {
   const std::string missing =
       si ? those(roller_si_options, o, false) : those(roller_group_options, o, false);
   if (!missing.empty()) throw std::invalid_argument("--roller conducting lacks" + missing);
-  if (o.diffusivity_2)
-    require(*o.diffusivity_2 == *o.diffusivity, "diffusivity-2", *o.diffusivity_2,
-            "equal to --diffusivity: bodies of unlike diffusivities are not modelled");
 }
 
 Roller read_roller(const SceneOptions& o) {
@@ -187,7 +187,9 @@ Roller read_roller(const SceneOptions& o) {
   if (kind == RollerKind::insulated) return {};
   if (kind == RollerKind::identical) return {1, o.heating.value_or(0)};
   require(*o.conductivity_ratio > 0, "conductivity-ratio", *o.conductivity_ratio, "positive");
-  return {*o.conductivity_ratio, *o.heating_2};
+  const double speed = o.peclet_2.value_or(*o.peclet);
+  require(speed > 0, "peclet-2", speed, "positive");
+  return {*o.conductivity_ratio, *o.heating_2, speed == *o.peclet ? 0 : speed};
 }
 
 void read_roller(const SceneOptions& o, PhysicalScene& si) {
@@ -198,6 +200,8 @@ void read_roller(const SceneOptions& o, PhysicalScene& si) {
   si.expansion_2 = alike ? si.expansion : *o.expansion_2;
   si.conductivity_2 = alike ? si.conductivity : *o.conductivity_2;
   require(alike || si.conductivity_2 > 0, "conductivity-2", si.conductivity_2, "positive");
+  si.diffusivity_2 = o.diffusivity_2.value_or(si.diffusivity);
+  require(si.diffusivity_2 > 0, "diffusivity-2", si.diffusivity_2, "positive");
 }
 
 void check_law_options(const SceneOptions& o, bool si) {
@@ -287,6 +291,7 @@ void add_scene_options(CLI::App& command, SceneOptions& o) {
   const char* roller = "The roller's own data, for --roller conducting";
   for (const SceneOption& option : roller_group_options) add(option, roller);
   for (const SceneOption& option : roller_si_options) add(option, roller);
+  for (const SceneOption& option : roller_peclet) add(option, roller);
   for (const SceneOption& option : roller_diffusivity) add(option, roller);
   add_approach(command, o);
 }

@@ -25,7 +25,7 @@ struct SceneOptions {
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
   std::string roller = "insulated", direction;
-  Maybe conductivity_ratio, heating_2;
+  Maybe conductivity_ratio, heating_2, peclet_2;
   Maybe conductivity_2, expansion_2, diffusivity_2;
   std::string friction_law = "constant", branch;
   Maybe friction_temperature, friction_floor, friction_reference_temperature, bulk_temperature;

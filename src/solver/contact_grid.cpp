@@ -161,9 +161,16 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   return grid;
 }
 
+GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
+  if (!is_unlike(scene)) return GridRules(n, zones, scene.peclet);
+  const Conduction conduction(scene);
+  const auto more = static_cast<int>(8 - 8 * std::log10(conduction.slowest));
+  return GridRules(n, zones, conduction.peclet, more);
+}
+
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          int n) {
-  return contact_grid(scene, formulation, zones, GridRules(n, zones, scene.peclet), n);
+  return contact_grid(scene, formulation, zones, rules_of(scene, zones, n), n);
 }
 
 Resultants resultants(const ContactGrid& grid, const VectorXd& h) {

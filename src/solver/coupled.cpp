@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -111,6 +112,14 @@ struct Refinement {
   double error = 1;
 };
 
+double ahead(const Scene& scene, const GridSolution& level) {
+  if (!is_unlike(scene)) return 0;
+  const GaussLegendre& rule = gauss_legendre(static_cast<int>(level.h.size()));
+  const Nodes z = place_nodes(level.at, rule, rule);
+  const ArrayXd heat = z.heat.transpose().array() * (rule.p * level.h).array();
+  return crossing_ahead(Conduction(scene), level.at.stick + level.at.slip * z.t, heat);
+}
+
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_of(level.value), value = carried_over(level, given, slope);
@@ -123,7 +132,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const Results change = (moved / scale).max(remembered * before.change);
   const double left =
       bent ? 2 * change.head(compared).maxCoeff() : estimate(change, now, then, n, slow);
-  return {value, change, left + rounding(given, slope, scale)};
+  return {value, change, left + rounding(given, slope, scale) + ahead(scene, level)};
 }
 
 CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
@@ -200,10 +209,21 @@ Results carter_slope(const Carter& c, Quantity by) {
   return change / change(by);
 }
 
+void refuse_short_contact(double ahead, double tolerance) {
+  if (ahead <= tolerance / 2) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "coupled: of the heat of unlike bodies %.1e would cross ahead of the contact, where "
+                "they do not touch: more than half the tolerance %g",
+                ahead, tolerance);
+  throw std::runtime_error(text);
+}
+
 CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
                        const Prescribed& given, GridSolution level, Results& slope,
                        const NextGrid& next) {
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
+  refuse_short_contact(ahead(scene, level), tolerance);
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
@@ -296,11 +316,12 @@ Profile profile(const CoupledSolution& x) {
   profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.rules.slip.p * x.h).array();
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
   if (at.phi.size() > 0) profile.slip.tail(n) /= at.phi.tail(n);
+  const Conduction conduction(x.scene);
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
     profile.temperature(i) =
-        temperature_and_slope(slip, x.scene.peclet, x.h, left, 2 - left, gap, grid.rules.fine)
+        temperature_and_slope(slip, conduction, x.h, left, 2 - left, gap, grid.rules.fine)
             .value;
   }
   profile.temperature *= heat_share(x.scene);

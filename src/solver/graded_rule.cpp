@@ -38,14 +38,8 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
   graded.by_h = 3 * middle / omega * du * dy;
 }
 
-std::vector<Kernels> at_distances(const ArrayXd& zeta) {
-  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
-  fast_kernels(k.size(), zeta.data(), k.data());
-  return k;
-}
-
-void kernel_weights(const GradedRule& graded, KernelWeights& weights) {
-  const std::vector<Kernels> kernels = at_distances(graded.zeta);
+void kernel_weights(const Conduction& c, const GradedRule& graded, KernelWeights& weights) {
+  const std::vector<Kernels> kernels = at_distances(c, graded.zeta);
   weights.resize(graded.y.size(), node_weights);
   for (Index i = 0; i < graded.y.size(); ++i) {
     const Kernels& k = kernels[static_cast<std::size_t>(i)];

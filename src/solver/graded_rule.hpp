@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "model/kernel_table.hpp"
+#include "solver/conduction.hpp"
 #include "solver/nodes.hpp"
 
 namespace thermoroll {
@@ -34,12 +34,9 @@ struct GradedRule {
 void grade(GradedRule& graded, double peclet, double gap, double left, double right,
            const GaussLegendre& rule);
 
-/// The kernels at all of these distances |zeta| > 0.
-std::vector<Kernels> at_distances(const Eigen::ArrayXd& zeta);
-
 /// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 with the heat of the mirrored
 /// rule; a row for each node.
-void kernel_weights(const GradedRule& graded, KernelWeights& weights);
+void kernel_weights(const Conduction& c, const GradedRule& graded, KernelWeights& weights);
 
 /// Column l of sums receives the sums of the five weights times P_l(y), for all columns; a multiple
 /// of four nodes.

@@ -34,7 +34,7 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.h = carter_h(grid);
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
-  found.peak = find_hottest(at.slip, grid.scene.peclet, found.h, from.peak, grid.rules.fine);
+  found.peak = find_hottest(at.slip, Conduction(grid.scene), found.h, from.peak, grid.rules.fine);
   found.value = values_on_grid(grid, found);
   found.violations = violations(factors(grid, found.h));
   if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure

@@ -52,7 +52,8 @@ MatrixXd derivative_at_node(const Nodes& z, const GaussLegendre& rule, const Arr
 MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegendre& rule,
                             Index terms) {
   const Index n = z.y.size(), m = z.d.size();
-  const double slip = z.zones.slip, peclet = scene.peclet * slip;
+  const Conduction conduction(scene);
+  const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   MatrixXd t = MatrixXd::Zero(n + m, terms);
   RowVectorXd mirror = RowVectorXd::Ones(terms);
   for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
@@ -61,10 +62,10 @@ MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegen
   for (Index i = 0; i < n; ++i) {
     grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
     KernelWeights weights = KernelWeights::Zero(graded.y.size(), node_weights);
-    const std::vector<Kernels> kernels = at_distances(graded.zeta);
+    const std::vector<Kernels> kernels = at_distances(conduction, graded.zeta);
     for (Index k = 0; k < graded.y.size(); ++k) {
       const double downstream = kernels[static_cast<std::size_t>(k)].m_down * graded.heat(k);
-      weights(k, 0) = downstream * std::exp(-2 * graded.zeta(k));
+      weights(k, 0) = downstream * upstream_share(conduction, graded.zeta(k));
       weights(k, 1) = downstream;
     }
     legendre_sums(graded.y, weights, sums);
@@ -77,9 +78,9 @@ MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegen
     MatrixXd kernel(m, graded.y.size());
     for (Index k = 0; k < graded.y.size(); ++k) {
       const ArrayXd zeta = graded.zeta(k) + further;
-      const std::vector<Kernels> kernels = at_distances(zeta);
+      const std::vector<Kernels> kernels = at_distances(conduction, zeta);
       for (Index j = 0; j < m; ++j)
-        kernel(j, k) = kernels[static_cast<std::size_t>(j)].m_down * std::exp(-2 * zeta(j));
+        kernel(j, k) = kernels[static_cast<std::size_t>(j)].m_down * upstream_share(conduction, zeta(j));
     }
     t.bottomRows(m) = kernel * graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
   }

@@ -142,7 +142,7 @@ double temperature_at(const HottestPoint& top, const Scene& scene, const Correct
                       const GaussLegendre& rays) {
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const double slip = zones_of(x.carter).slip;
-  return temperature_and_slope(slip, scene.peclet, h, 1 + top.y, 1 - top.y, 0, rays).value;
+  return temperature_and_slope(slip, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rays).value;
 }
 
 CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd& h,
@@ -207,7 +207,7 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
   const ZoneLengths at = zones_of(x.carter);
   const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
   const GaussLegendre& rays = graded_nodes(tolerance, at.slip * scene.peclet);
-  const HottestPoint top = find_hottest(at.slip, scene.peclet, h, near, rays);
+  const HottestPoint top = find_hottest(at.slip, Conduction(scene), h, near, rays);
   const Correction next = correct(scene, formulation, given, x.carter, h, 13);
   Results later = (next.value - x.value).abs() / scale_of(x.value);
   const double hotter = temperature_at(top, scene, next, rays);
@@ -228,6 +228,9 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   if (scene.law)
     return {Model::coupled, "friction depends on temperature",
+            solve_coupled(scene, formulation, tolerance, given)};
+  if (is_unlike(scene))
+    return {Model::coupled, "the bodies have unlike diffusivities",
             solve_coupled(scene, formulation, tolerance, given)};
   if (!sticks_without_heat(scene.friction, given))
     return {Model::coupled, "without heat nothing would stick",

@@ -45,11 +45,11 @@ inline int temperature_nodes(int n, double lambda) {
 /// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which strong heating
 /// needs as fine as h, and of those for temperatures.
 struct GridRules {
-  explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1)
+  explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1, int more = 0)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(stick_nodes(n, at))),
-        graded(rounded_up(4, n > 64 ? n : 16 + (n + 2) / 3)),
-        fine(rounded_up(8, temperature_nodes(n, at.slip * peclet))) {}
+        graded(rounded_up(4, std::min(most_unknowns, more + (n > 64 ? n : 16 + (n + 2) / 3)))),
+        fine(rounded_up(8, temperature_nodes(n + more, at.slip * peclet))) {}
   const GaussLegendre &slip, &stick, &graded, &fine;
 };
 

@@ -47,7 +47,7 @@ Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const 
 
 Solution solve_closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
-  const Peak top = hottest_point(smooth_flux(c), scene.peclet, 1e-9);
+  const Peak top = hottest_point(smooth_flux(c), Conduction(scene), 1e-9);
   Results value = carter_values(c), error = Results::Zero();
   value(max_temperature) = heat_share(scene) * top.temperature.value;
   value(max_temperature_at) = top.at;
@@ -97,12 +97,14 @@ void check_tolerance(double tolerance) {
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
 }
 
-void check_law(const Scene& scene, const Prescribed& given, Method method) {
-  const bool constant = method == Method::closed_form || method == Method::first_order ||
+void check_method(const Scene& scene, const Prescribed& given, Method method) {
+  const bool lesser = method == Method::closed_form || method == Method::first_order ||
                         method == Method::gauss_chebyshev;
-  if (scene.law && constant)
+  if (scene.law && lesser)
     throw std::invalid_argument(
         "friction that depends on temperature needs the method coupled or auto");
+  if (is_unlike(scene) && lesser)
+    throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
   if (!scene.law && given.branch == Branch::falling)
     throw std::invalid_argument("branch = falling is not allowed: friction is constant");
 }
@@ -183,7 +185,7 @@ Profile carter_profile(const Scene& scene, const Carter& c) {
   Profile x{s, s, s, s, s, 0 * s};
   if (slips)
     x.temperature =
-        heat_share(scene) * surface_curve(smooth_flux(c), scene.peclet, s, 1e-9).temperature;
+        heat_share(scene) * surface_curve(smooth_flux(c), Conduction(scene), s, 1e-9).temperature;
   for (Eigen::Index i = 0; i < s.size(); ++i) {
     x.pressure(i) = hertz_pressure(s(i));
     x.traction(i) = carter_traction(c, s(i));
@@ -325,7 +327,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
 Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
   check(scene);
   check_with_sign(scene, given);
-  check_law(scene, given, approach.method);
+  check_method(scene, given, approach.method);
   if (approach.method != Method::closed_form && approach.method != Method::gauss_chebyshev)
     check_tolerance(approach.tolerance);
   const Scene turned = directed(scene, given);
@@ -456,7 +458,7 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
     const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
     const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
-    const SurfaceCurve found = surface_curve(flux, x.scene.peclet, s, tolerance);
+    const SurfaceCurve found = surface_curve(flux, Conduction(x.scene), s, tolerance);
     for (Eigen::Index i = 0; i < s.size(); ++i)
       curve.points.push_back(
           {s(i), share * found.temperature(i), share * found.error + flux_error});

@@ -18,24 +18,25 @@ namespace {
 constexpr double underflow_distance = 350;  // exp(-2 zeta) is 1e-304 here
 
 /// M(side zeta), zeta > 0.
-GradedArray temperature_kernel(double side, const GradedArray& zeta) {
-  const std::vector<Kernels> k = at_distances(zeta);
+GradedArray temperature_kernel(const Conduction& c, double side, const GradedArray& zeta) {
+  const std::vector<Kernels> k = at_distances(c, zeta);
   GradedArray m(zeta.size());
   for (Index i = 0; i < m.size(); ++i) m[i] = k[static_cast<std::size_t>(i)].m_down;
-  if (side > 0) m *= (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
-  return m;
+  if (side < 0) return m;
+  if (c.pair) return m * upstream_shares(c, zeta);
+  return m * (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
 }
 
 /// The sum of M times the heat, at a distance from the start of the graded.
-double temperature_sum(const GradedRule& graded, const GradedArray& heat, double side,
-                       double distance) {
-  if (side > 0 && distance > underflow_distance) return 0;
-  return (temperature_kernel(side, graded.zeta + distance) * heat).sum();
+double temperature_sum(const Conduction& c, const GradedRule& graded, const GradedArray& heat,
+                       double side, double distance) {
+  if (side > 0 && distance * c.slowest > underflow_distance) return 0;
+  return (temperature_kernel(c, side, graded.zeta + distance) * heat).sum();
 }
 
 }  // namespace
 
-TemperatureAndSlope temperature_and_slope(double slip, double peclet, const VectorXd& h,
+TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction, const VectorXd& h,
                                           double left, double right, double gap,
                                           const GaussLegendre& rule) {
   TemperatureAndSlope sum{0, 0};
@@ -43,10 +44,10 @@ TemperatureAndSlope temperature_and_slope(double slip, double peclet, const Vect
   const VectorXd dh = derivative(h);
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
-    grade(graded, peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
-    if (side > 0) graded.cut(20);
+    grade(graded, conduction.peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
+    if (side > 0) graded.cut(20 / conduction.slowest);
     const GradedArray value = series(side, graded.y, h), slope = series(side, graded.y, dh);
-    const GradedArray m = temperature_kernel(side, graded.zeta);
+    const GradedArray m = temperature_kernel(conduction, side, graded.zeta);
     sum.value += (m * graded.heat * value).sum();
     sum.slope += (m * (side * graded.by_h * value + graded.by_dh * slope)).sum();
   }
@@ -54,9 +55,9 @@ TemperatureAndSlope temperature_and_slope(double slip, double peclet, const Vect
 }
 
 /// The hottest point by temperatures alone.
-HottestPoint search(double slip, double peclet, const VectorXd& h, const GaussLegendre& rule) {
+HottestPoint search(double slip, const Conduction& conduction, const VectorXd& h, const GaussLegendre& rule) {
   const auto value = [&](double y) {
-    return std::abs(y) < 1 ? temperature_and_slope(slip, peclet, h, 1 + y, 1 - y, 0, rule).value
+    return std::abs(y) < 1 ? temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule).value
                            : 0;
   };
   HottestPoint top{0, 0};
@@ -71,13 +72,13 @@ HottestPoint search(double slip, double peclet, const VectorXd& h, const GaussLe
   return top;
 }
 
-HottestPoint find_hottest(double slip, double peclet, const VectorXd& h, const HottestPoint& near,
+HottestPoint find_hottest(double slip, const Conduction& conduction, const VectorXd& h, const HottestPoint& near,
                           const GaussLegendre& rule) {
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
          hottest = 0;
   for (int step = 0;; ++step) {
     const SlipPoint at(1 + y, 1 - y);
-    const TemperatureAndSlope now = temperature_and_slope(slip, peclet, h, 1 + y, 1 - y, 0, rule);
+    const TemperatureAndSlope now = temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule);
     const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
     if (step > 0) curvature = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
@@ -85,7 +86,7 @@ HottestPoint find_hottest(double slip, double peclet, const VectorXd& h, const H
     const bool known = step > 0 || near.value > 0;  // the curvature
     hottest = std::max(hottest, now.value);
     if ((known && std::abs(move) < 1e-5) || step == 60) {
-      if (now.value < hottest * (1 - 1e-6)) return search(slip, peclet, h, rule);
+      if (now.value < hottest * (1 - 1e-6)) return search(slip, conduction, h, rule);
       return {next, now.value * (1 + slope * move / 2), curvature};
     }
     last = y;
@@ -94,13 +95,13 @@ HottestPoint find_hottest(double slip, double peclet, const VectorXd& h, const H
   }
 }
 
-ArrayXd surface_temperature(const ZoneLengths& at, double peclet, const VectorXd& h,
+ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction, const VectorXd& h,
                             const ArrayXd& s, const GaussLegendre& rule) {
   const double slip = at.slip;
   GradedRule first, last, graded;
-  grade(first, peclet * slip, 0, 0, 2, rule);
-  grade(last, peclet * slip, 0, 0, 2, rule);
-  first.cut(20);
+  grade(first, conduction.peclet * slip, 0, 0, 2, rule);
+  grade(last, conduction.peclet * slip, 0, 0, 2, rule);
+  first.cut(20 / conduction.slowest);
   const GradedArray at_first = first.heat * series(1, first.y, h);
   const GradedArray at_last = last.heat * series(-1, last.y, h);
   ArrayXd sums(s.size());
@@ -108,16 +109,16 @@ ArrayXd surface_temperature(const ZoneLengths& at, double peclet, const VectorXd
     const double right = 1 - s(i);
     const double left = slip < at.stick ? slip - right : 1 + s(i) - at.stick;
     if (left <= 0) {
-      sums(i) = temperature_sum(first, at_first, 1, -peclet * left);
+      sums(i) = temperature_sum(conduction, first, at_first, 1, -conduction.peclet * left);
     } else if (right <= 0) {
-      sums(i) = temperature_sum(last, at_last, -1, -peclet * right);
+      sums(i) = temperature_sum(conduction, last, at_last, -1, -conduction.peclet * right);
     } else {
       const double share = std::min({left, right, slip / 2}) / slip;
       const double near = distance_of_share(share), far = 2 - near;
       const auto from = [&](double behind, double ahead, double side) {
-        grade(graded, peclet * slip, 0, behind, ahead, rule);
-        if (side > 0) graded.cut(20);
-        return temperature_sum(graded, graded.heat * series(side, graded.y, h), side, 0);
+        grade(graded, conduction.peclet * slip, 0, behind, ahead, rule);
+        if (side > 0) graded.cut(20 / conduction.slowest);
+        return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side, 0);
       };
       sums(i) = left < right ? from(near, far, 1) + from(far, near, -1)
                              : from(far, near, 1) + from(near, far, -1);
@@ -141,8 +142,8 @@ double quadrature_error(int nodes, double change, double top) {
   return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }
 
-SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s, double tolerance) {
-  require(peclet > 0, "peclet", peclet, "positive");
+SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, const ArrayXd& s, double tolerance) {
+  require(conduction.peclet > 0, "peclet", conduction.peclet, "positive");
   require(tolerance >= 1e-12, "tolerance", tolerance, "at least 1e-12");
   for (const double place : s) require(true, "s", place, "finite");
   if (s.size() == 0) return {s, 0};
@@ -153,7 +154,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
   for (Index i = 0; i < 4; ++i)
     some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i)).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
-    return surface_temperature({x.slip, x.stick}, peclet, x.h, at, gauss_legendre(nodes));
+    return surface_temperature({x.slip, x.stick}, conduction, x.h, at, gauss_legendre(nodes));
   };
   int nodes = 40;
   for (ArrayXd before = with(nodes, some);;) {
@@ -165,10 +166,10 @@ SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const ArrayXd& s,
   }
 }
 
-Peak hottest_point(const SmoothFlux& x, double peclet, double tolerance) {
+Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tolerance) {
   int nodes = 40;
-  for (HottestPoint before = find_hottest(x.slip, peclet, x.h, {}, gauss_legendre(nodes));;) {
-    const HottestPoint now = find_hottest(x.slip, peclet, x.h, before, gauss_legendre(nodes += 8));
+  for (HottestPoint before = find_hottest(x.slip, conduction, x.h, {}, gauss_legendre(nodes));;) {
+    const HottestPoint now = find_hottest(x.slip, conduction, x.h, before, gauss_legendre(nodes += 8));
     const double error = quadrature_error(nodes, std::abs(now.value - before.value), now.value);
     if (error <= tolerance * now.value || nodes >= most_unknowns) {
       const double moved = std::abs(now.y - before.y) + 1e-9;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "solver/conduction.hpp"
 #include "solver/nodes.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
@@ -25,13 +26,13 @@ struct TemperatureAndSlope {
 /// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
 /// or, with left = 0, across a gap (in lengths of the slip zone); a rule of a multiple of eight
 /// nodes.
-TemperatureAndSlope temperature_and_slope(double slip, double peclet, const Eigen::VectorXd& h,
+TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction, const Eigen::VectorXd& h,
                                           double left, double right, double gap,
                                           const GaussLegendre& rule);
 
 /// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
 /// multiple of eight nodes.
-Eigen::ArrayXd surface_temperature(const ZoneLengths& at, double peclet, const Eigen::VectorXd& h,
+Eigen::ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction, const Eigen::VectorXd& h,
                                    const Eigen::ArrayXd& s, const GaussLegendre& rule);
 
 /// The hottest point of the slip zone and T* there.
@@ -40,7 +41,7 @@ struct HottestPoint {
 };
 
 /// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes.
-HottestPoint find_hottest(double slip, double peclet, const Eigen::VectorXd& h,
+HottestPoint find_hottest(double slip, const Conduction& conduction, const Eigen::VectorXd& h,
                           const HottestPoint& near, const GaussLegendre& rule);
 
 SmoothFlux smooth_flux(const Carter& c);
@@ -54,10 +55,10 @@ struct SurfaceCurve {
 
 /// T* on the surface at every s. The error estimate, to which that of the flux is to be added, is
 /// below tolerance >= 1e-12 times the largest T*, or what graded rules of 480 nodes leave.
-SurfaceCurve surface_curve(const SmoothFlux& x, double peclet, const Eigen::ArrayXd& s,
+SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, const Eigen::ArrayXd& s,
                            double tolerance);
 
 /// The largest T* on the surface, and where it is; tolerance as above.
-Peak hottest_point(const SmoothFlux& x, double peclet, double tolerance);
+Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tolerance);
 
 }  // namespace thermoroll

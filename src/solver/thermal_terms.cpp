@@ -15,11 +15,11 @@ using Eigen::RowVectorXd;
 namespace {
 
 /// N1 and N2 at the distances zeta (columns), and as much further (rows).
-void kernels_further(const GradedArray& zeta, const ArrayXd& further, MatrixXd& n1, MatrixXd& n2) {
+void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd& further, MatrixXd& n1, MatrixXd& n2) {
   n1.resize(further.size(), zeta.size());
   n2.resize(further.size(), zeta.size());
   for (Index i = 0; i < zeta.size(); ++i) {
-    const std::vector<Kernels> all = at_distances(zeta(i) + further);
+    const std::vector<Kernels> all = at_distances(c, zeta(i) + further);
     for (Index j = 0; j < further.size(); ++j) {
       const Kernels& k = all[static_cast<std::size_t>(j)];
       n1(j, i) = k.n1;
@@ -33,7 +33,8 @@ void kernels_further(const GradedArray& zeta, const ArrayXd& further, MatrixXd& 
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
                            const GaussLegendre& rule) {
   const Index n = z.y.size(), m = z.d.size();
-  const double slip = z.zones.slip, peclet = scene.peclet * slip;
+  const Conduction conduction(scene);
+  const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
   ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
   GradedRule graded;
@@ -44,7 +45,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
   for (Index i = 0; i < n; ++i) {
     grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
-    kernel_weights(graded, weights);
+    kernel_weights(conduction, graded, weights);
     legendre_sums(graded.y, weights, sums);
     thermal.f.row(i) = sums.row(0);
     thermal.df.row(i) = sums.row(1);
@@ -57,13 +58,14 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     const ArrayXd gap = z.d / slip;
     grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
     MatrixXd n1, n2;
-    kernels_further(graded.zeta, peclet * (gap - gap.minCoeff()), n1, n2);
+    kernels_further(conduction, graded.zeta, peclet * (gap - gap.minCoeff()), n1, n2);
     const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
     thermal.f.bottomRows(m).noalias() = n1 * heat;
     thermal.g.bottomRows(m).noalias() = n2 * heat;
   }
+  const double strain = conduction.pair ? sign_of(scene.direction) : strain_share(scene);
   const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
-  thermal.g = strength * slip * (strain_share(scene) * thermal.g / pi + in_n * thermal.f);
+  thermal.g = strength * slip * (strain * thermal.g / pi + in_n * thermal.f);
   thermal.f *= -sign * strength * slip;
   thermal.df *= -sign * strength;
   return thermal;

@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md, paper/23-unlike-bodies.md; edit there.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@ namespace thermoroll {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// The cylinder as a conductor, of the same diffusivity as the half-space.
+/// The cylinder as a conductor.
 struct Roller {
   double conductivity_ratio = 0;  ///< K2 / K1 >= 0; 0 for an insulator
-  double heating = 0;             ///< H2 = 2 alpha2 (1+nu) k P / (a K2) >= 0
+  double heating = 0;             ///< H2 = 2 alpha2 (1+nu) k2 P / (a K2) >= 0
+  double peclet = 0;              ///< Pe2 = V a / 2 k2 > 0; 0 for that of the half-space
 };
 
 /// Whether the friction on the half-space acts along +x, as a driven cylinder's does, or against.
@@ -43,8 +44,20 @@ double strain_share(const Scene& scene);
 /// 1 for driving, -1 for braking.
 constexpr double sign_of(Direction direction) { return direction == Direction::driving ? 1 : -1; }
 
+/// Pe2, and Pe2 / Pe1 = k1 / k2; 1 where both bodies have one diffusivity.
+double peclet_2(const Scene& scene);
+double peclet_ratio(const Scene& scene);
+
+/// Whether the cylinder conducts, with a diffusivity of its own.
+bool is_unlike(const Scene& scene);
+
+/// e2 / e1 of the effusivities e = K / sqrt(k), and the share of the total heat that flows into the
+/// half-space, e1 / (e1 + e2), @eq:total-share.
+double effusivity_ratio(const Scene& scene);
+double effusivity_share(const Scene& scene);
+
 /// A rolling contact in SI units (@tbl:steel). All fields positive, but the expansions,
-/// poisson and conductivity_2 may be zero; poisson below 1/2.
+/// poisson, conductivity_2 and diffusivity_2 may be zero; poisson below 1/2.
 struct PhysicalScene {
   double load;                ///< P, load per unit length, N/m
   double speed;               ///< V, rolling speed, m/s
@@ -56,6 +69,7 @@ struct PhysicalScene {
   double conductivity;        ///< K, thermal conductivity of the half-space, W/(m degree C)
   double expansion_2 = 0;     ///< that of the cylinder, 1/degree C
   double conductivity_2 = 0;  ///< that of the cylinder, W/(m degree C); 0 for an insulator
+  double diffusivity_2 = 0;   ///< that of the cylinder, m^2/s; 0 for that of the half-space
   Direction direction = Direction::driving;
   std::optional<double> bulk_temperature{};  ///< of both bodies far away, degree C
   std::optional<LawOfFriction> law{};        ///< of friction by the rise over it, degree C

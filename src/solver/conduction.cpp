@@ -1,0 +1,71 @@
+// Tangled from paper/23-unlike-bodies.md; edit there.
+#include "solver/conduction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace thermoroll {
+
+struct PairKernels {
+  Kernels of;
+  double temperature_up;
+};
+
+/// @eq:pair-kernels at the distance zeta > 0, over D1 + kappa D2, and over one for T.
+PairKernels pair_kernels(const Conduction& c, double zeta) {
+  const double z = zeta / c.peclet, zeta_1 = c.pair->peclet * z;
+  const double d1 = c.pair->slope_1, d2 = c.pair->slope_2, unit = d1 + d2 > 0 ? 1 / (d1 + d2) : 0;
+  const Kernels k1 = fast_kernels(zeta_1), k2 = fast_kernels(c.pair->other_peclet * z);
+  const Remainders r = (*c.pair)(z);
+  return {{unit * (d1 * k1.n1 + d2 * k2.n1 + r(0)), unit * (d1 * k1.n2_up - d2 * k2.n2_up + r(1)),
+           unit * (d1 * k1.n2_down - d2 * k2.n2_down + r(3)), k1.m_down + r(4)},
+          k1.m_down * std::exp(-2 * zeta_1) + r(2)};
+}
+
+std::shared_ptr<const PairTable> table_of(const Scene& pair) {
+  static thread_local std::array<double, 5> last{};
+  static thread_local std::shared_ptr<const PairTable> made;
+  const Roller& roller = pair.roller;
+  const std::array<double, 5> data{pair.peclet, roller.peclet, pair.heating, roller.heating,
+                                   roller.conductivity_ratio};
+  if (!made || data != last) made = std::make_shared<const PairTable>(pair);
+  last = data;
+  return made;
+}
+
+double crossing_ahead(const Conduction& c, const Eigen::ArrayXd& distance,
+                      const Eigen::ArrayXd& heat) {
+  if (!c.pair) return 0;
+  double crosses = 0;
+  for (Eigen::Index i = 0; i < heat.size(); ++i)
+    crosses += std::abs(heat(i) * farther_ahead(*c.pair, distance(i)));
+  return crosses / heat.abs().sum();
+}
+
+Conduction::Conduction(const Scene& scene) : peclet(scene.peclet) {
+  if (!is_unlike(scene)) return;
+  peclet = std::max(scene.peclet, peclet_2(scene));
+  slowest = std::min(scene.peclet, peclet_2(scene)) / peclet;
+  pair = table_of(scene);
+}
+
+std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta) {
+  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
+  if (!c.pair) fast_kernels(k.size(), zeta.data(), k.data());
+  for (std::size_t i = 0; c.pair && i < k.size(); ++i)
+    k[i] = pair_kernels(c, zeta(static_cast<Eigen::Index>(i))).of;
+  return k;
+}
+
+double upstream_share(const Conduction& c, double zeta) {
+  if (!c.pair) return std::exp(-2 * zeta);
+  const PairKernels k = pair_kernels(c, zeta);
+  return k.temperature_up / k.of.m_down;
+}
+
+Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) {
+  return zeta.unaryExpr([&](double at) { return upstream_share(c, at); });
+}
+
+}  // namespace thermoroll

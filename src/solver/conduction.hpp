@@ -1,0 +1,36 @@
+// Tangled from paper/23-unlike-bodies.md; edit there.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "model/kernel_table.hpp"
+#include "solver/pair_table.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// The kernels of a scene and the Peclet number that their distances are in; those of one body for
+/// a number alone.
+struct Conduction {
+  Conduction(double of) : peclet(of) {}
+  explicit Conduction(const Scene& scene);
+  double peclet, slowest = 1;               // Pe, and the smaller one over it
+  std::shared_ptr<const PairTable> pair{};  // of unlike bodies
+};
+
+/// The kernels at all of these distances |zeta| > 0.
+std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta);
+
+/// The share of the heat, given with its distances from the leading edge, that would cross ahead of
+/// it, @eq:crossing-ahead; 0 for bodies of one diffusivity.
+double crossing_ahead(const Conduction& c, const Eigen::ArrayXd& distance,
+                      const Eigen::ArrayXd& heat);
+
+/// T* at the distance zeta > 0 ahead of a source over that behind it; one, or all of them.
+double upstream_share(const Conduction& c, double zeta);
+Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta);
+
+}  // namespace thermoroll

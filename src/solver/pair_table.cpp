@@ -1,0 +1,180 @@
+// Tangled from paper/23-unlike-bodies.md; edit there.
+#include "solver/pair_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include <Eigen/LU>
+
+#include "solver/gauss_legendre.hpp"
+
+namespace thermoroll {
+
+namespace {
+
+using complex = std::complex<double>;
+
+constexpr int degree = 13;  // of the polynomials of a cell
+
+complex upper_root(double x) {
+  return x > 0 ? complex(std::sqrt(x), 0) : complex(0, -std::sqrt(-x));
+}
+
+/// delta of @eq:partition from its roots A and B.
+template <class Number>
+Number crossing(const Scene& scene, const Number& a, const Number& b) {
+  const double k = scene.roller.conductivity_ratio;
+  return 2 * k * (scene.peclet - peclet_2(scene)) / ((a + b) * (a + k * b));
+}
+
+/// At the place u of the exponential exp(-u z): of the slope, the strain, the temperature, and the
+/// share of the heat that crosses farther ahead than z.
+struct Density {
+  double slope, strain, temperature, ahead;
+};
+
+Density upstream(const Scene& scene, double u) {
+  const complex a = upper_root(2 * scene.peclet - u), b = upper_root(2 * peclet_2(scene) - u);
+  const complex delta = crossing(scene, a, b), i(0, 1);
+  const complex a1 = std::sqrt(u) / a, a2 = std::sqrt(u) / b;
+  const double h1 = scene.heating, h2 = scene.roller.heating;
+  return {imag(delta * (h1 * (1.0 + i * a1) - h2 * (1.0 + i * a2))) / pi,
+          imag(delta * (h1 * a1 + h2 * a2)) - real(delta) * (h1 + h2),
+          imag(delta / (std::sqrt(u) * a)), imag(delta) / (pi * u)};
+}
+
+Density downstream(const Scene& scene, double u) {
+  const double a = std::sqrt(2 * scene.peclet + u), b = std::sqrt(2 * peclet_2(scene) + u);
+  const double delta = crossing(scene, a, b), root = std::sqrt(u);
+  const auto strain = [&](double peclet, double of) { return 2 * peclet / (of * (of + root)); };
+  const double h1 = scene.heating, h2 = scene.roller.heating;
+  return {0, delta * (h1 * strain(scene.peclet, a) + h2 * strain(peclet_2(scene), b)),
+          delta / (root * a), 0};
+}
+
+/// Add panels from a place where a density is as a square root, to another; the first is so long.
+void add_panels(Exponentials& sum, double from, double to, double first) {
+  const GaussLegendre& rule = gauss_legendre(12);
+  const double sign = to > from ? 1 : -1, length = std::abs(to - from);
+  double start = 0, end = std::min(first, length);
+  while (start < length) {
+    for (Eigen::Index i = 0; i < rule.x.size(); ++i) {
+      const double x = (1 + rule.x(i)) / 2, width = end - start;
+      const double place = start > 0 ? start + width * x : end * x * x;
+      sum.u.push_back(from + sign * place);
+      sum.w.push_back(rule.w(i) / 2 * width * (start > 0 ? 1 : 2 * x));
+    }
+    start = end;
+    end = 2 * end < 0.75 * length ? 2 * end : length;
+  }
+}
+
+/// From the lower and the higher 2 Pe and the conductivity of the faster body over the slower's.
+Exponentials upstream_exponentials(double low, double high, double ratio) {
+  const double apart = high - low, middle = (low + high) / 2, square = ratio * ratio;
+  const double at_low = std::max(std::min({low, apart, square * apart}) / 2, 1e-9 * low);
+  const double at_high = std::max(std::min({low, apart, apart / square}) / 2, 1e-9 * low);
+  Exponentials sum;
+  add_panels(sum, 0, low / 2, low * 0x1p-20);
+  add_panels(sum, low, low / 2, at_low);
+  add_panels(sum, low, middle, at_low);
+  add_panels(sum, high, middle, at_high);
+  add_panels(sum, high, high * 0x1p45, at_high);
+  return sum;
+}
+
+Exponentials downstream_exponentials(double low, double high) {
+  Exponentials sum;
+  add_panels(sum, 0, high * 0x1p45, low * 0x1p-20);
+  return sum;
+}
+
+template <class Function>
+Densities densities(const Exponentials& of, const Function& density) {
+  Densities all(4, static_cast<Eigen::Index>(of.u.size()));
+  for (std::size_t i = 0; i < of.u.size(); ++i) {
+    const Density at = density(of.u[i]);
+    all.col(static_cast<Eigen::Index>(i)) << at.slope, at.strain, at.temperature, at.ahead;
+    all.col(static_cast<Eigen::Index>(i)) *= of.w[i];
+  }
+  return all;
+}
+
+Eigen::Vector4d sum(const Exponentials& of, const Densities& density, double z) {
+  const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
+  return density * (-z * u).exp().matrix();
+}
+
+}  // namespace
+
+Remainders all_exponentials(const PairTable& table, double z) {
+  Remainders r;
+  r << sum(table.up, table.up_density, z).head<3>(),
+      sum(table.down, table.down_density, z).segment<2>(1);
+  return r;
+}
+
+/// The number of a cell and the place -1 <= x <= 1 in it.
+struct Cell {
+  int number;
+  double x;
+};
+
+Cell cell_of(double z) {
+  int exponent = 0;
+  const double twice = 4 * std::frexp(z, &exponent) - 2;  // from 0 to 2
+  const int half = twice < 1 ? 0 : 1;
+  return {2 * exponent + half, 2 * (twice - half) - 1};
+}
+
+double place_in(const Cell& cell) {
+  const int half = cell.number & 1;
+  return std::ldexp((half + (cell.x + 1) / 2) / 4 + 0.5, (cell.number - half) / 2);
+}
+
+Remainders PairTable::operator()(double z) const {
+  const Cell cell = cell_of(z);
+  const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / (degree + 1);
+  if (at >= cells) return all_exponentials(*this, z);
+  const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0) * (degree + 1))];
+  const double x = at < 0 ? -1 : cell.x;  // next to zero they are constant
+  Remainders sum = c[degree];
+  for (int i = degree; i-- > 0;) sum = sum * x + c[i];
+  return sum;
+}
+
+void add_cell(PairTable& table, int number) {
+  constexpr int n = degree + 1;
+  const Eigen::ArrayXd x = (pi * (Eigen::ArrayXd::LinSpaced(n, 0, degree) + 0.5) / n).cos();
+  Eigen::Matrix<double, n, n> powers;
+  Eigen::Matrix<double, n, 5> values;
+  for (int i = 0; i < n; ++i) {
+    powers.col(i) = x.pow(i);
+    values.row(i) = all_exponentials(table, place_in({number, x(i)})).transpose();
+  }
+  const Eigen::Matrix<double, n, 5> c = powers.partialPivLu().solve(values);
+  for (int i = 0; i < n; ++i) table.coefficients.push_back(c.row(i).transpose());
+}
+
+PairTable::PairTable(const Scene& pair)
+    : peclet(pair.peclet),
+      other_peclet(peclet_2(pair)),
+      slope_1(peclet * pair.heating),
+      slope_2(pair.roller.conductivity_ratio * other_peclet * pair.roller.heating) {
+  const double low = 2 * std::min(pair.peclet, peclet_2(pair));
+  const double high = 2 * std::max(pair.peclet, peclet_2(pair));
+  const double k = pair.roller.conductivity_ratio;
+  up = upstream_exponentials(low, high, peclet < other_peclet ? k : 1 / k);
+  down = downstream_exponentials(low, high);
+  up_density = densities(up, [&](double u) { return upstream(pair, u); });
+  down_density = densities(down, [&](double u) { return downstream(pair, u); });
+  first = cell_of(0x1p-44 / high).number;
+  for (int cell = first; cell < cell_of(8).number; ++cell) add_cell(*this, cell);
+}
+
+double farther_ahead(const PairTable& table, double z) {
+  return sum(table.up, table.up_density, z)(3);
+}
+
+}  // namespace thermoroll

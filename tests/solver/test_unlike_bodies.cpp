@@ -1,0 +1,196 @@
+// Bodies of unlike diffusivities: their kernels against the transforms that they are made from, and
+// whole solutions against references, limits and each other.
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solver/conduction.hpp"
+#include "thermoroll/quadrature.hpp"
+#include "thermoroll/solution.hpp"
+
+using namespace thermoroll;
+using enum thermoroll::Quantity;
+
+namespace {
+
+Approach coupled_to(double tolerance) {
+  return {Method::coupled, Formulation::corrected, 200, tolerance};
+}
+
+/// Pairs whose speeds differ by a thousandth to a thousandfold, either way.
+std::vector<Scene> pairs() {
+  return {{0.6, 100, 1, {2, 0.7, 20}},  {0.6, 20, 0.7, {0.5, 1, 100}},
+          {0.6, 2, 1, {2, 0.7, 0.5}},   {0.3, 1000, 0.1, {0.3, 2, 1}},
+          {0.3, 5, 0.1, {7, 0.4, 5e3}}, {0.3, 100, 1, {1, 1, 100.1}},
+          {0.6, 100, 1, {1e-4, 1, 1e6}}};
+}
+
+/// The same two bodies with the names exchanged.
+Scene exchanged(const Scene& x) {
+  const Roller other{1 / x.roller.conductivity_ratio, x.heating, x.peclet};
+  return {x.friction, x.roller.peclet, x.roller.heating, other, x.direction};
+}
+
+/// delta(p) of the partition at a real p below both 2 Pe.
+double delta(const Scene& x, double p) {
+  const double a = std::sqrt(2 * x.peclet - p), b = std::sqrt(2 * x.roller.peclet - p);
+  return x.roller.conductivity_ratio * (a - b) / (a + x.roller.conductivity_ratio * b);
+}
+
+/// The integral of a remainder times exp(p z) over 0 < z < reach, from its table.
+double transform(const PairTable& table, int remainder, double p, double reach) {
+  std::vector<double> points;
+  for (double z = reach * 0x1p-50; z < reach; z *= 4) points.push_back(z);
+  points.push_back(reach);
+  return integrate([&](double z) { return table(z)(remainder) * std::exp(p * z); }, points).value;
+}
+
+// The share of the total is that of p = 0. All factors are of order one, and the sum of
+// exponentials has about a thousand terms.
+TEST(UnlikeBodies, TheTotalIsSharedAsTheEffusivities) {
+  for (const Scene& x : pairs()) {
+    const double omega = heat_share(x), crosses = farther_ahead(PairTable(x), 0);
+    EXPECT_NEAR(omega * (1 + crosses), effusivity_share(x), 1e-12);
+  }
+}
+
+// The table interpolates to 1e-13 of the largest value on a cell of half an octave.
+TEST(UnlikeBodies, TheTableIsItsExponentials) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> exponent(-9, 0.9);
+  for (const Scene& x : pairs()) {
+    const PairTable table(x);
+    const double rounding = 1e-14 * (x.heating + x.roller.heating + 1);
+    Remainders scale = Remainders::Zero();
+    for (double z = 1e-9; z < 4; z *= 2)
+      scale = scale.cwiseMax(all_exponentials(table, z).cwiseAbs());
+    for (int i = 0; i < 200; ++i) {
+      const double z = std::pow(10, exponent(generator));
+      const Remainders apart = table(z) - all_exponentials(table, z);
+      for (int k = 0; k < 5; ++k) EXPECT_LE(std::abs(apart(k)), 1e-12 * scale(k) + rounding) << z;
+    }
+  }
+}
+
+// Transforms at p = -1, where that of the slope is analytic: delta times H (1 - sqrt(p / (p - 2
+// Pe))) of each body. For the temperature, whose two sides are summed at a p between 0 and 2 Pe, it
+// is pi delta over sqrt(p (2 Pe - p)). Beyond the reach exp(-36) of them is left, the quadrature is
+// good to 1e-9, and the remainders are regular at z = 0.
+TEST(UnlikeBodies, RemaindersAreTheirIntegrals) {
+  for (const Scene& x : pairs()) {
+    const PairTable table(x);
+    const auto slope = [&](double h, double pe, double p) {
+      return h * (1 - std::sqrt(p / (p - 2 * pe)));
+    };
+    const double p = -1, h1 = x.heating, h2 = x.roller.heating;
+    const double exact = delta(x, p) * (slope(h1, x.peclet, p) - slope(h2, x.roller.peclet, p));
+    EXPECT_NEAR(transform(table, 0, p, 36), exact, 1e-8 * (h1 + h2));
+    const double q = 0.2 * std::min(x.peclet, x.roller.peclet);
+    const double both = transform(table, 2, q, 4 / q) + transform(table, 4, -q, 36 / q);
+    const double root = std::sqrt(q * (2 * x.peclet - q));
+    EXPECT_NEAR(both, pi * delta(x, q) / root, 1e-8 / root);
+  }
+}
+
+// Which body is the first does not matter to the temperature, with K1 T / omega in common; slopes
+// add, and strains subtract. Errors of the tables are those of the test above.
+TEST(UnlikeBodies, BothBodiesAreEquallyHot) {
+  for (const Scene& x : pairs()) {
+    const Conduction one(x), other(exchanged(x));
+    const Eigen::ArrayXd zeta = Eigen::pow(10.0, Eigen::ArrayXd::LinSpaced(40, -6, 1.5));
+    const auto a = at_distances(one, zeta), b = at_distances(other, zeta);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(a[i].m_down, b[i].m_down, 1e-11 * a[i].m_down);
+      const double up = upstream_share(one, zeta(static_cast<Eigen::Index>(i)));
+      EXPECT_NEAR(up, upstream_share(other, zeta(static_cast<Eigen::Index>(i))), 1e-11);
+      EXPECT_NEAR(a[i].n1, b[i].n1, 1e-11);
+      EXPECT_NEAR(a[i].n2_up, -b[i].n2_up, 1e-11 * (1 + std::abs(a[i].n2_up)));
+      EXPECT_NEAR(a[i].n2_down, -b[i].n2_down, 1e-11 * (1 + std::abs(a[i].n2_down)));
+    }
+  }
+}
+
+// The independent collocation of test_two_bodies.cpp, with the partition as an unknown.
+TEST(UnlikeBodies, AgreeWithAnIndependentReference) {
+  const Scene scene{0.6, 100, 1, {2, 0.7, 20}};
+  const Solution x = solve(scene, {stick_slip_border, -0.1845}, coupled_to(1e-10));
+  EXPECT_NEAR(x.value(traction), 0.4931146464525543, 1e-9);
+  EXPECT_NEAR(x.value(creep), 0.21122536022617175, 1e-9);
+  EXPECT_NEAR(x.value(load_ratio), 1.0566696021456268, 1e-8);
+  EXPECT_NEAR(x.value(gamma0), 0.03680916862513919, 1e-9);
+  EXPECT_NEAR(x.value(heat_integral), 0.1790172859971811, 1e-9);
+  EXPECT_NEAR(x.value(max_temperature), 0.007427996001771632, 1e-10);
+  EXPECT_NEAR(effusivity_share(scene) * x.value(heat_integral), 0.09449678871143838, 1e-9);
+}
+
+/// Contacts in which next to nothing crosses ahead of the leading edge.
+std::vector<Scene> random_contacts(int count) {
+  std::mt19937 generator(12);
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(generator);
+  };
+  std::vector<Scene> all;
+  for (int i = 0; i < count; ++i) {
+    const double f = uniform(0.1, 0.8), peclet = std::pow(10, uniform(1.7, 5));
+    const Roller roller{std::pow(10, uniform(-1, 1)), uniform(0, 1 / f),
+                        std::pow(10, uniform(1.7, 5))};
+    all.push_back({f, peclet, uniform(0, 1 / f), roller});
+  }
+  return all;
+}
+
+// Driving with bodies 1 and 2 is braking with 2 and 1, and the temperature is in units of the other
+// conductivity.
+TEST(UnlikeBodies, DrivingIsBrakingOfExchangedBodies) {
+  for (const Scene& scene : random_contacts(8)) {
+    const double pull = 0.6 * scene.friction;
+    const Solution drives = solve(scene, {traction, pull}, coupled_to(1e-10));
+    const Solution brakes = solve(exchanged(scene), {traction, -pull}, coupled_to(1e-10));
+    const auto near = [&](Quantity q, double factor) {
+      const double allowed = std::abs(factor) * 2 * (*drives.error)(q);
+      EXPECT_NEAR(brakes.value(q), factor * drives.value(q), allowed);
+    };
+    near(creep, -1);
+    for (const Quantity q : {stick_slip_border, load_ratio, gamma0, heat_integral}) near(q, 1);
+    near(max_temperature, scene.roller.conductivity_ratio);
+  }
+}
+
+// At one diffusivity the pair is a pair of alike bodies, and next to it the results differ by about
+// as much as the diffusivities do.
+TEST(UnlikeBodies, NextToOneDiffusivityNothingChanges) {
+  const Scene alike{0.6, 100, 1, {0.5, 0.4}}, near{0.6, 100, 1, {0.5, 0.4, 100 * (1 + 1e-9)}};
+  const Solution x = solve(alike, {traction, 0.4}, coupled_to(1e-8));
+  const Solution y = solve(near, {traction, 0.4}, coupled_to(1e-8));
+  for (const Quantity q : {stick_slip_border, creep, load_ratio, gamma0, max_temperature})
+    EXPECT_NEAR(x.value(q), y.value(q), 2 * (*x.error)(q) + 1e-8);
+}
+
+// The insulated cylinder is the limit of one of vanishing effusivity at fixed heat capacity: what
+// is left of the difference is of the order of e2 / e1, ten times smaller for a tenth of it.
+TEST(UnlikeBodies, TheInsulatorIsTheLimitAtFixedHeatCapacity) {
+  const double exact =
+      solve({0.6, 100, 1}, {stick_slip_border, -0.1845}, coupled_to(1e-9)).value(traction);
+  const auto left = [&](double e) {  // K2 / K1 = e^2, Pe2 = Pe1 / e^2
+    const Scene scene{0.6, 100, 1, {e * e, 1, 100 / (e * e)}};
+    const Solution x = solve(scene, {stick_slip_border, -0.1845}, coupled_to(1e-9));
+    return x.value(traction) - exact;
+  };
+  const double first = left(0.1), second = left(0.01), third = left(0.001);
+  EXPECT_NEAR(first / second, 10, 1.5);
+  EXPECT_NEAR(second / third, 10, 0.2);
+}
+
+// They know nothing of a pair.
+TEST(UnlikeBodies, LesserMethodsAreRefused) {
+  const Scene scene{0.6, 100, 1, {2, 0.7, 20}};
+  for (const Method method : {Method::closed_form, Method::first_order, Method::gauss_chebyshev})
+    EXPECT_THROW(solve(scene, {traction, 0.4}, {method, Formulation::corrected, 200, 1e-6}),
+                 std::invalid_argument);
+}
+
+}  // namespace
