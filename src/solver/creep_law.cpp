@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <tuple>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "solver/conduction.hpp"
 #include "solver/full_slip.hpp"
 #include "solver/gauss_legendre.hpp"
 #include "solver/grid_solution.hpp"
@@ -46,8 +48,8 @@ struct HalfCurve {
 /// The solution's largest T*, which strong heat may have twice, the hotter one at the trailing
 /// edge.
 double hottest(const HalfCurve& curve, const GridSolution& x) {
-  const HottestPoint trailing =
-      find_hottest(x.at.slip, curve.scene.peclet, x.h, {0.98, 0, -3}, gauss_legendre(40));
+  const HottestPoint trailing = find_hottest(x.at.slip, Conduction(curve.scene), x.h,
+                                             {0.98, 0, -3}, gauss_legendre(40));
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
 }
 
@@ -267,6 +269,8 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance, double reach) {
   check(scene);
   if (!(reach > 0)) require(false, "reach", reach, "positive");
+  if (is_unlike(scene))
+    throw std::invalid_argument("a law is not made for bodies of unlike diffusivities");
   require(1e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-7 to 1e-2");
   Scene one = scene;
   one.direction = Direction::driving;

@@ -228,6 +228,7 @@ TEST(CreepLaw, RefusesWhatMakesNoSense) {
   EXPECT_THROW(law_of(steel(), 1e-4, 0), std::invalid_argument);
   EXPECT_THROW(law_of(steel(), 1e-4, std::nan("")), std::invalid_argument);
   EXPECT_THROW(law_of({-0.6, 100, 0}), std::invalid_argument);
+  EXPECT_THROW(law_of({0.6, 100, 1, {1, 1, 50}}), std::invalid_argument);
 }
 
 }  // namespace
