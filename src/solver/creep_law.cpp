@@ -48,8 +48,8 @@ struct HalfCurve {
 /// The solution's largest T*, which strong heat may have twice, the hotter one at the trailing
 /// edge.
 double hottest(const HalfCurve& curve, const GridSolution& x) {
-  const HottestPoint trailing = find_hottest(x.at.slip, Conduction(curve.scene), x.h,
-                                             {0.98, 0, -3}, gauss_legendre(40));
+  const HottestPoint trailing =
+      find_hottest(x.at.slip, Conduction(curve.scene), x.h, {0.98, 0, -3}, gauss_legendre(40));
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
 }
 
