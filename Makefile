@@ -13,7 +13,7 @@ export LC_ALL := C.UTF-8
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
-check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev
+check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
 test_packages := $(figure_packages) $(check_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)

@@ -15,16 +15,19 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "program/deliver.hpp"
 #include "program/exit_status.hpp"
 #include "program/format.hpp"
+#include "program/law_output.hpp"
 #include "program/sweep.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
 #include "studies/timings.hpp"
+#include "support/number_text.hpp"
 
 namespace thermoroll {
 namespace {
@@ -180,6 +183,62 @@ void run_temperature(const Options& o) {
   conclude(x, physical, o.of_scene);
 }
 
+struct AllCreeps {
+  Scene scene;
+  Formulation formulation;
+  std::optional<LawUnits> units;
+};
+
+AllCreeps read_all_creeps(SceneOptions o) {
+  if (o.load && !o.half_width)
+    throw std::invalid_argument(
+        "a creep curve in SI units needs --half-width: from a radius it would differ along it");
+  o.creep = 1;  // or any other
+  const GivenScene c = read_scene(o);
+  if (!c.physical) return {c.scene, c.approach.formulation, {}};
+  check(*c.physical);
+  const double friction = c.scene.friction;
+  return {scene_of(*c.physical, friction), c.approach.formulation,
+          law_units(*c.physical, friction)};
+}
+
+constexpr double law_tolerance = 1e-4;
+
+void run_law(const Options& o) {
+  const AllCreeps c = read_all_creeps(o.of_scene);
+  const CreepLaw law =
+      creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance));
+  deliver({{law_text(law, c.scene, c.units, value_of(language_names, o.language)), o.output}});
+}
+
+double bound(const std::string& name, const Maybe& asked, double otherwise, const LawHalf& half) {
+  const double sign = otherwise < 0 ? -1 : 1;
+  if (!asked) return sign * std::min(std::abs(otherwise), half.last_creep);
+  if (*asked * sign > half.last_creep)
+    throw std::invalid_argument(name + " = " + shortest(*asked) + " is not allowed: it must be " +
+                                (sign > 0 ? "at most " : "at least ") +
+                                shortest(sign * half.last_creep) +
+                                ", where the curve ends: " + half.reason);
+  return *asked;
+}
+
+void run_creep_curve(const Options& o) {
+  const AllCreeps c = read_all_creeps(o.of_scene);
+  check(c.scene);
+  require(2 <= o.points && o.points <= 100000, "points", o.points, "from 2 to 100000");
+  const double far = 6 * c.scene.friction / pi, from = o.from.value_or(-far),
+               to = o.to.value_or(far);
+  require(from < to, "from", from, "below --to, " + shortest(to));
+  const double reach = std::max(std::abs(from), std::abs(to));
+  const CreepLaw law =
+      creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), reach);
+  const LawHalf &first = from < 0 ? law.braking : law.driving,
+                &last = to < 0 ? law.braking : law.driving;
+  const CurveRange range{bound("from", o.from, from, first), bound("to", o.to, to, last), o.points};
+  const auto points = curve_points(law, range, c.scene.friction);
+  deliver({{creep_curve_csv(law, points, c.units), o.output}});
+}
+
 void run_figure_data(const Options& o) {
   if (o.list == !o.name.empty())
     throw std::invalid_argument("figure-data needs either a NAME or --list");
@@ -243,6 +302,40 @@ void add_temperature(CLI::App& program, Options& o) {
   command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
       ->type_name("NUMBER")
       ->check(finite_number("depth"));
+  add_output(command, o);
+}
+
+void add_all_creeps(CLI::App& command, Options& o) {
+  add_scene_options(command, o.of_scene);
+  for (const char* name : {"--traction", "--creep", "--stick-slip-border", "--direction",
+                           "--branch", "--radius", "--method", "--nodes", "--tolerance"})
+    command.remove_option(command.get_option(name));
+  command.add_option("--tolerance", o.of_scene.tolerance, "1e-7 to 1e-2; 1e-4 unless given")
+      ->type_name("NUMBER")
+      ->check(finite_number("tolerance"))
+      ->group("Method");
+}
+
+void add_creep_curve(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("creep-curve", "Print traction by creep as CSV");
+  add_all_creeps(command, o);
+  const std::pair<const char*, Maybe*> ends[] = {{"from", &o.from}, {"to", &o.to}};
+  for (const auto& [name, value] : ends)
+    command.add_option(std::string("--") + name, *value, "creep xi*, negative for braking")
+        ->type_name("NUMBER")
+        ->check(finite_number(name));
+  command.add_option("--points", o.points, "number of rows, 101 unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number("points"));
+  add_output(command, o);
+}
+
+void add_creep_law(CLI::App& program, Options& o) {
+  CLI::App& command = *program.add_subcommand("law", "Write traction by creep as a function");
+  add_all_creeps(command, o);
+  command.add_option("--format", o.language, "language of the function, c unless given")
+      ->type_name(joined(words(language_names), "|"))
+      ->check(one_of("format", words(language_names)));
   add_output(command, o);
 }
 
@@ -316,6 +409,29 @@ The columns are s, temperature (T*), temperature_celsius (the rise above ambient
 units) and error_estimate (of T*, absolute; empty for gauss-chebyshev). Unless --roller says
 otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
+constexpr const char* creep_curve_examples = R"(Examples:
+  thermoroll creep-curve --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical
+  thermoroll creep-curve --friction 0.6 --peclet 100 --heating 0.0175 --from -1 --to 1 --points 41 \
+    --friction-law linear --friction-temperature 0.02 --output curve.csv
+
+Without --from and --to the rows reach to three times the creep at which the contact slips without
+heat, or to the end of the curve. They are dense where it bends. With data in SI units there are
+columns for the creep as a fraction of the speed, its speed, N/m and degree C, which are rises over
+the bulk temperature. Unless --roller says otherwise, all heat goes into one body: two steel bodies
+(--roller identical) are about half as hot.)";
+
+constexpr const char* law_examples = R"(Examples:
+  thermoroll law --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical --output law.c
+  thermoroll law --friction 0.6 --peclet 100 --heating 0.0175 --friction-law linear \
+    --friction-temperature 0.02 --format python --output law.py
+  thermoroll law --friction 0.6 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 --format json \
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+
+The function takes a creep and gives traction, its slope, the largest temperature and a status, which
+is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
+speed, N/m and the rise in degree C. Unless --roller says otherwise, all heat goes into one body: two
+steel bodies (--roller identical) are about half as hot.)";
+
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list
   thermoroll figure-data traction --output traction.csv
@@ -342,6 +458,8 @@ std::string help(const CLI::App& program) {
   static const std::map<std::string, const char*> examples{{"solve", solve_examples},
                                                            {"sweep", sweep_examples},
                                                            {"temperature", temperature_examples},
+                                                           {"creep-curve", creep_curve_examples},
+                                                           {"law", law_examples},
                                                            {"figure-data", figure_data_examples},
                                                            {"claims", claims_examples}};
   const auto commands = program.get_subcommands();
@@ -383,7 +501,8 @@ Command read_command(const std::vector<std::string>& arguments) {
   program.config_formatter(std::make_shared<SceneFile>(program));
   program.allow_config_extras(CLI::config_extras_mode::error);
   program.require_subcommand(1)->fallthrough();
-  for (const auto add : {add_solve, add_sweep, add_temperature, add_figure_data, add_claims})
+  for (const auto add : {add_solve, add_sweep, add_temperature, add_creep_curve, add_creep_law,
+                         add_figure_data, add_claims})
     add(program, c.options);
   try {
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
@@ -404,6 +523,8 @@ void run(const Command& c) {
       {"solve", run_solve},
       {"sweep", run_sweep},
       {"temperature", run_temperature},
+      {"creep-curve", run_creep_curve},
+      {"law", run_law},
       {"figure-data", run_figure_data},
       {"claims", run_claims}};
   const auto start = std::chrono::steady_clock::now();

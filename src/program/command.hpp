@@ -13,8 +13,10 @@ namespace thermoroll {
 /// What the subcommands are told.
 struct Options {
   SceneOptions of_scene;
-  std::string at, name, times, format = "text", output, profile;
+  std::string at, name, times, format = "text", language = "c", output, profile;
   double depth = 0;
+  Maybe from, to;
+  int points = 101;
   std::optional<int> jobs;
   bool list = false, verbose = false, trace = false;
 };

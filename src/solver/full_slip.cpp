@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solver/grid_solution.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
@@ -14,15 +13,6 @@ using Eigen::VectorXd;
 using enum Quantity;
 
 namespace {
-
-/// Drop a backward slip over less than this length at the leading edge.
-void forget_the_edge(GridSolution& x, double length) {
-  const auto at_the_edge = [&](const Violation& v) {
-    return v.what == "backward slip" && v.to < length - 1;
-  };
-  auto& all = x.violations;
-  all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
-}
 
 /// Refuse, by std::invalid_argument, a creep without a contact, naming the creep where that ends.
 [[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation,
@@ -67,6 +57,14 @@ GridSolution coarse_full_slip(const Scene& scene, Formulation formulation, doubl
     if (level.newton_steps > 0 && level.violations.empty()) return level;
   }
   return level;
+}
+
+void forget_the_edge(GridSolution& x, double length) {
+  const auto at_the_edge = [&](const Violation& v) {
+    return v.what == "backward slip" && v.to < length - 1;
+  };
+  auto& all = x.violations;
+  all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
 }
 
 CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, double tolerance,

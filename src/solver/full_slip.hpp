@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/contact_grid.hpp"
+#include "solver/grid_solution.hpp"
 #include "thermoroll/coupled.hpp"
 
 namespace thermoroll {
@@ -13,6 +14,9 @@ ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, d
 /// which there is no contact by std::invalid_argument.
 CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, double tolerance,
                                 double creep);
+
+/// Drop a backward slip over less than this length at the leading edge.
+void forget_the_edge(GridSolution& x, double length);
 
 /// Refuse, by std::invalid_argument, the traction of constant friction itself, f or -f by the
 /// direction, with the least creep that it belongs to.

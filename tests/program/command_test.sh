@@ -1285,6 +1285,232 @@ TraceTellsTheGrids() {
     fail "status $status, said: $(cat err)"
 }
 
+# --- Creep curves and laws ------------------------------------------------------------------------
+
+hot_scene=(--friction 0.6 --peclet 100 --heating 0.0175 --friction-law linear --friction-temperature 0.02)
+wheel=(--friction 0.6 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 --shear-modulus 8.1e10 --poisson 0.3
+  --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50)
+
+# law_in LANGUAGE FILE ARGUMENT...: the law of a scene, in a file.
+law_in() {
+  local language=$1 file=$2
+  shift 2
+  run law "$@" --format "$language" --output "$file"
+  [ $status -eq 0 ] && [ ! -s out ] && [ ! -s err ] || fail "law $*: $status $(cat out err)"
+}
+
+# compiled: makes a program `law` of law.c that reads creeps and prints traction, slope, temperature
+# and status, one line each.
+compiled() {
+  cat law.c - >main.c <<'END'
+#include <stdio.h>
+int main(void) {
+  for (double x, q, s, t; scanf("%lf", &x) == 1;) {
+    const int status = creep_law(x, &q, &s, &t);
+    printf("%.17g %.17g %.17g %d\n", q, s, t, status);
+  }
+  return 0;
+}
+END
+  ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -o law main.c -lm || fail "does not compile"
+}
+
+# Traction and temperature are within a hundredth of a per cent of what is solved for, on both sides
+# and in both regimes (the tolerance is 1e-4, of the temperature relative), and the slope is the tilt.
+LawRunsInC() {
+  law_in c law.c "${hot_scene[@]}"
+  compiled
+  local creep q slope t code tilt
+  for creep in 0.1 0.25 0.5 3 -0.05 -0.3 -1; do
+    read -r q slope t code < <(echo $creep | ./law)
+    answers solve "${hot_scene[@]}" --creep=$creep --format json
+    near "$q" "$(value traction)" 1e-4
+    near "$t" "$(value max_temperature)" "$(calculate "1e-4 * $(value max_temperature)")"
+    [ "$code" = 0 ] || fail "status $code"
+    tilt=$(printf '%s\n' "$(calculate "$creep + 1e-5")" "$(calculate "$creep - 1e-5")" | ./law |
+      awk 'NR == 1 { q = $1 } NR == 2 { printf "%.17g", (q - $1) / 2e-5 }')
+    near "$slope" "$tilt" 1e-6
+  done
+}
+
+# Beyond its end, and where there is no number, a law says so and gives nothing.
+LawEndsInC() {
+  law_in c law.c --friction 0.6 --peclet 0.5 --heating 1
+  grep -q '^// Driving ends at the creep 7\.78.*: contact is lost: separation\.$' law.c || fail "$(head law.c)"
+  compiled
+  [ "$(printf '%s\n' 7.8 -6.4 inf nan | ./law | sort -u)" = "0 0 0 1" ] || fail "it goes on"
+  [ "$(printf '%s\n' 7.7 -6.3 | ./law | cut -d' ' -f1,4 | tr '\n' ' ')" = "0.59999999999999998 0 -0.59999999999999998 0 " ] ||
+    fail "it ends too early: $(echo 7.7 -6.3 | ./law)"
+}
+
+# Without heat and with constant friction there is no end.
+LawWithoutEndInC() {
+  law_in c law.c --friction 0.6 --peclet 100
+  compiled
+  [ "$(printf '%s\n' 1e12 -1e12 | ./law | cut -d' ' -f1,4 | tr '\n' ' ')" = "0.59999999999999998 0 -0.59999999999999998 0 " ] ||
+    fail "$(echo 1e12 -1e12 | ./law)"
+}
+
+creeps_of_both_sides='0.001 0.02 0.1 0.25 0.31 0.32 0.5 3 50 -0.004 -0.05 -0.3 -1 -20 1e9 -1e9'
+
+# The same function to rounding.
+LawRunsInPython() {
+  law_in c law.c "${hot_scene[@]}"
+  compiled
+  law_in python law.py "${hot_scene[@]}"
+  tr ' ' '\n' <<<"$creeps_of_both_sides" | ./law >expected
+  python3 - $creeps_of_both_sides <<'END' || fail "Python and C differ"
+import sys
+from law import creep_law
+for creep, line in zip(sys.argv[1:], open("expected"), strict=True):
+    expected, found = [float(x) for x in line.split()], creep_law(float(creep))
+    assert all(abs(a - b) <= 1e-12 * abs(a) + 1e-15 for a, b in zip(expected, found, strict=True)), (expected, found)
+END
+}
+
+# The tables alone are enough: the series as the sum of cosines that it is.
+LawRunsFromJson() {
+  law_in c law.c "${wheel[@]}" --tolerance 1e-3
+  compiled
+  law_in json law.json "${wheel[@]}" --tolerance 1e-3
+  python3 - <<'END' || fail "JSON and C differ"
+import json, math, subprocess
+o = json.load(open("law.json"))
+assert o["error_estimate"]["traction"] <= 1.2e7 * 1e-3 and o["friction"] == 0.6
+def law(creep):
+    side = int(creep < 0)
+    size, unit = abs(creep) / o["creep_unit"], o["unit_creep"][side]
+    last = o["last_creep"][side]
+    if last is not None and size > last:
+        return 0, 0, 1
+    z = math.sqrt(size / unit) if size <= unit else 2 - unit / size
+    pieces = range(o["first_piece"][side], o["first_piece"][side + 1])
+    k = min(pieces, key=lambda k: max(o["from_z"][k] - z, z - o["to_z"][k]))
+    a, b = o["from_z"][k], o["to_z"][k]
+    angle = math.acos(max(-1, min(1, 2 * (z - a) / (b - a) - 1)))
+    q, t = (sum(c * math.cos(j * angle) for j, c in enumerate(o[key][9 * k:9 * k + 9]))
+            for key in ("traction_terms", "temperature_terms"))
+    if b <= 1:
+        q *= size
+    else:
+        t *= size / unit
+    return math.copysign(1, creep) * q * o["traction_unit"], t * o["temperature_unit"], 0
+creeps = [sign * o["creep_unit"] * x for x in (0.01, 0.1, 0.3, 0.5, 2, 1e6) for sign in (1, -1)]
+lines = subprocess.run("./law", input="\n".join(map(repr, creeps)), capture_output=True, text=True).stdout.split("\n")
+for creep, line in zip(creeps, lines):
+    q, _, t, code = map(float, line.split())
+    found = law(creep)
+    assert abs(found[0] - q) <= 1e-9 * abs(q) and abs(found[1] - t) <= 1e-9 * abs(t) and found[2] == code, (creep, line, found)
+END
+}
+
+# There is no compiler for Modelica here: its tables are those of C.
+LawInModelicaHasTheNumbers() {
+  law_in c law.c "${hot_scene[@]}"
+  law_in modelica law.mo "${hot_scene[@]}"
+  local name
+  for name in unit_creep last_creep first_piece from_z to_z traction_terms temperature_terms; do
+    sed -n "s/^static const [a-z]* $name\[\] = //p" law.c >tables_c
+    sed -n "s/^  constant [A-Za-z]* $name\[:\] = //p" law.mo >tables_modelica
+    [ -s tables_c ] && cmp tables_c tables_modelica || fail "$name differs"
+  done
+  [ "$(grep -c '^end creep_law;$' law.mo)" = 1 ] || fail "no end"
+}
+
+# With data in SI units: the creep as a fraction of the speed, N/m, and degree C.
+LawInSiUnitsRuns() {
+  law_in c law.c "${wheel[@]}"
+  compiled
+  local creep q slope t code
+  for creep in 0.2 -0.3 0.7; do
+    answers solve "${wheel[@]}" --creep=$creep --format json
+    read -r q slope t code < <(value creep_ratio | ./law)
+    near "$q" "$(calculate "1.2e7 * $(value traction)")" 1200
+    near "$t" "$(value max_temperature_celsius)" "$(calculate "1e-4 * $(value max_temperature_celsius)")"
+    [ "$code" = 0 ] || fail "status $code $slope"
+  done
+}
+
+# Rows are solutions, within the errors that stand in them and those of solve at 1e-6.
+CreepCurveAgreesWithSolve() {
+  answers creep-curve "${hot_scene[@]}" --from -1 --to 1 --points 9
+  sed 1d out | tr ',' ' ' >rows
+  [ "$(wc -l <rows)" = 9 ] || fail "$(cat rows)"
+  local creep traction border full temperature errors_q errors_c errors_t
+  while read -r creep traction border full temperature errors_q errors_c errors_t; do
+    answers solve "${hot_scene[@]}" --creep="$creep" --format json
+    near "$traction" "$(value traction)" "$(calculate "$errors_q + 1e-6")"
+    near "$border" "$(value stick_slip_border)" "$(calculate "$errors_c + 1e-6")"
+    near "$temperature" "$(value max_temperature)" "$(calculate "$errors_t + 1e-6")"
+    [ "$full" = "$(value full_slip)" ] || fail "$creep: $full"
+  done <rows
+}
+
+# Creeps ascend from one end to the other, and half of them stand about the two maxima.
+CreepCurveIsDenseWhereItBends() {
+  answers creep-curve "${hot_scene[@]}" --from -2 --to 3 --points 51
+  sed 1d out | awk -F, '
+    NR == 1 && $1 != -2 || NR > 1 && $1 <= last { exit 1 }
+    { last = $1; size = $1 < 0 ? -$1 : $1; if (size > 0.1 && size < 0.5) ++about }
+    END { if (NR != 51 || last != 3 || about < 25) exit 1 }' || fail "$(cut -d, -f1 out)"
+}
+
+# Without a range the rows cover both maxima, or reach as far as the curve.
+CreepCurveHasARange() {
+  answers creep-curve "${hot_scene[@]}"
+  [ "$(wc -l <out)" = 102 ] || fail "$(wc -l <out) rows"
+  near "$(sed -n 2p out | cut -d, -f1)" "$(calculate '-6 * 0.6 / pi')" 1e-12
+  near "$(tail -1 out | cut -d, -f1)" "$(calculate '6 * 0.6 / pi')" 1e-12
+}
+
+CreepCurveInSiUnits() {
+  answers creep-curve "${wheel[@]}" --bulk-temperature 20 --from 0 --to 0.3 --points 3
+  [ "$(head -1 out)" = "creep,traction,stick_slip_border,full_slip,max_temperature,creep_ratio,creep_speed_m_per_s,traction_n_per_m,max_temperature_celsius,contact_temperature_celsius,error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature" ] ||
+    fail "$(head -1 out)"
+  tail -1 out | tr , ' ' >row
+  local creep traction border full temperature ratio speed force rise absolute rest
+  read -r creep traction border full temperature ratio speed force rise absolute rest <row
+  answers solve "${wheel[@]}" --bulk-temperature 20 --creep=$creep --format json
+  near "$ratio" "$(value creep_ratio)" 1e-12
+  near "$speed" "$(calculate "22.2 * $ratio")" 1e-12
+  near "$force" "$(calculate "1.2e7 * $(value traction)")" 1200
+  near "$rise" "$(value max_temperature_celsius)" "$(calculate "1e-4 * $(value max_temperature_celsius)")"
+  near "$absolute" "$(calculate "20 + $rise")" 1e-9
+  [ "$border $full $temperature $rest" != "   " ] || fail "no columns"
+}
+
+BadCurves() {
+  local curve="creep-curve --friction 0.6 --peclet 100"
+  refuses 2 "points = 1 is not allowed: it must be from 2 to 100000" $curve --points 1
+  refuses 2 "points = 2.5 is not allowed" $curve --points 2.5
+  refuses 2 "from = 1 is not allowed: it must be below --to, 1" $curve --from 1 --to 1
+  refuses 2 "to = inf is not allowed" $curve --to inf
+  refuses 2 "unexpected --creep" $curve --creep 0.1
+  refuses 2 "tolerance = 1e-08 is not allowed: it must be from 1e-7 to 1e-2" $curve --tolerance 1e-8
+  refuses 2 "to = 9 is not allowed: it must be at most 7.78" creep-curve --friction 0.6 --peclet 0.5 --heating 1 --to 9
+  refuses 2 "from = -9 is not allowed: it must be at least -6.32" creep-curve --friction 0.6 --peclet 0.5 --heating 1 --from -9
+  one_line "where the curve ends: contact is lost: separation"
+  refuses 2 "--peclet is missing" creep-curve --friction 0.6
+  refuses 2 "--friction is required" creep-curve --peclet 100
+}
+
+BadCreepLaws() {
+  local law="law --friction 0.6 --peclet 100"
+  refuses 2 "format = java is not allowed: it must be c or python or modelica or json" $law --format java
+  local option
+  for option in "--traction 0.5" "--creep 0.1" "--stick-slip-border 0" "--method coupled" "--nodes 100" \
+    "--direction braking" "--branch falling" "--radius 0.5"; do
+    # shellcheck disable=SC2086
+    refuses 2 "unexpected ${option%% *}" $law $option
+  done
+  refuses 2 "tolerance = 0.1 is not allowed: it must be from 1e-7 to 1e-2" $law --tolerance 0.1
+  refuses 2 "needs --half-width: from a radius it would differ along it" law "${wheel[@]:0:6}" "${wheel[@]:8}"
+  refuses 2 "--peclet and --heating exclude data in SI units" law "${wheel[@]}" --peclet 100
+  refuses 2 "peclet = -1 is not allowed" law --friction 0.6 --peclet -1
+  refuses 2 "unlike diffusivities" $law --heating 1 --roller conducting --conductivity-ratio 1 --heating-2 1 --peclet-2 50
+  refuses 1 "cannot write nowhere/law.c" $law --output nowhere/law.c
+}
+
 # --- The other subcommands ------------------------------------------------------------------------
 
 FigureData() {
@@ -1326,7 +1552,7 @@ Version() {
 
 Help() {
   local command
-  for command in "" solve sweep temperature figure-data claims; do
+  for command in "" solve sweep temperature creep-curve law figure-data claims; do
     # shellcheck disable=SC2086
     answers $command --help
     grep -q '^Examples:$' out || fail "no examples: $command"
@@ -1335,7 +1561,7 @@ Help() {
   grep -q '^Exit status: 0 done; 1 ' out || fail "no exit status: $(cat out)"
   answers solve --help
   grep -q 'not count that in its errors' out || fail "does not say what the errors are: $(cat out)"
-  for command in solve temperature; do
+  for command in solve temperature creep-curve law; do
     answers $command --help
     tr '\n' ' ' <out | grep -q 'all heat goes into one body.*two steel bodies (--roller identical) are about half as hot' ||
       fail "$command does not say whom the heat warms: $(cat out)"
@@ -1349,7 +1575,7 @@ ExamplesRun() {
   mkdir bin
   ln -s "$program" bin/thermoroll
   local command count=0 example
-  for command in "" solve sweep temperature figure-data claims; do
+  for command in "" solve sweep temperature creep-curve law figure-data claims; do
     # shellcheck disable=SC2086
     answers $command --help
     sed -n '/^Examples:/,/^$/p' out | sed -e :a -e '/\\$/N; s/\\\n *//; ta' | sed -n 's/^  //p' >examples
@@ -1359,7 +1585,7 @@ ExamplesRun() {
       count=$((count + 1))
     done <examples
   done
-  [ $count -ge 16 ] || fail "only $count examples found"
+  [ $count -ge 21 ] || fail "only $count examples found"
 }
 
 "$1"

@@ -1,0 +1,57 @@
+// Tangled from paper/22-creep-curve.md; edit there.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// The Chebyshev coefficients of a piece.
+using LawSeries = std::array<double, 9>;
+
+/// Polynomials of a law on from < z < to: up to z = 1 of Q* / xi*, T* and the length of the slip
+/// zone over z^2, and beyond of Q*, T* times 2 - z, and 2.
+struct LawPiece {
+  double from, to;
+  LawSeries traction, temperature, slip_length;
+};
+
+/// Half of a law: its pieces from z = 0 on, and its end.
+struct LawHalf {
+  double unit_creep;  ///< xi* at z = 1: where the stick zone vanishes, or the end, if it does not
+  std::vector<LawPiece> pieces;
+  double last_creep;   ///< where it ends, the size of xi*; infinite if it does not
+  std::string reason;  ///< why it ends; empty if it does not
+};
+
+/// Q*, T*max and c0 of a scene for any creep xi*, with errors that hold everywhere.
+struct CreepLaw {
+  LawHalf driving, braking;
+  double traction_error, border_error;  ///< estimated, absolute
+  double temperature_error;  ///< of T* in partial slip; in full slip times xi* over unit_creep
+};
+
+/// A law at a creep; dimensionless, the traction with the creep's sign.
+struct LawValue {
+  double traction, slope;  ///< Q*, dQ*/dxi*
+  double temperature;      ///< the largest T*
+  double border;           ///< c0, -1 in full slip
+};
+
+/// The law of a scene, for both directions, whatever its own is. The stated errors are below the
+/// tolerance, from 1e-7 to 1e-2: that of T* relative to T* at unit_creep. A finite reach is the
+/// creep up to which full slip is asked for, by size. Throws std::invalid_argument for data out of
+/// range, NotResolved where the tolerance is met nowhere.
+CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
+                   double reach = std::numeric_limits<double>::infinity());
+
+/// The law at a creep of either sign; nothing beyond the end of the law. Allocates nothing.
+std::optional<LawValue> evaluate(const CreepLaw& law, double creep);
+
+}  // namespace thermoroll

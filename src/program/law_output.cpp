@@ -1,0 +1,323 @@
+// Tangled from paper/22-creep-curve.md; edit there.
+#include "program/law_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <nlohmann/json.hpp>
+
+#include "support/number_text.hpp"
+
+namespace thermoroll {
+namespace {
+
+struct LawTable {
+  const char* name;
+  std::vector<double> numbers{};
+};
+
+/// For both sides unit_creep, last_creep and the first piece, with the number of pieces at the end;
+/// then the ends of all pieces and their coefficients, nine for each.
+std::vector<LawTable> tables_of(const CreepLaw& law) {
+  LawTable first{"first_piece", {0}}, from{"from_z"}, to{"to_z"}, q{"traction_terms"},
+      t{"temperature_terms"};
+  for (const LawHalf* half : {&law.driving, &law.braking}) {
+    for (const LawPiece& piece : half->pieces) {
+      from.numbers.push_back(piece.from);
+      to.numbers.push_back(piece.to);
+      q.numbers.insert(q.numbers.end(), piece.traction.begin(), piece.traction.end());
+      t.numbers.insert(t.numbers.end(), piece.temperature.begin(), piece.temperature.end());
+    }
+    first.numbers.push_back(static_cast<double>(from.numbers.size()));
+  }
+  return {{"unit_creep", {law.driving.unit_creep, law.braking.unit_creep}},
+          {"last_creep", {law.driving.last_creep, law.braking.last_creep}},
+          first,
+          from,
+          to,
+          q,
+          t};
+}
+
+bool counts_pieces(const LawTable& table) { return table.name == std::string("first_piece"); }
+
+std::string listed(const LawTable& table, const std::string& infinite) {
+  std::string text;
+  for (const double x : table.numbers)
+    text += (text.empty() ? "" : ", ") + (std::isfinite(x) ? shortest(x) : infinite);
+  return text;
+}
+
+std::string told(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
+                 const std::string& mark) {
+  const LawUnits unit = units.value_or(LawUnits{});
+  std::string text = mark + "Rolling contact by thermoroll: f = " + shortest(scene.friction) +
+                     ", Pe = " + shortest(scene.peclet) + ", H = " + shortest(scene.heating) +
+                     ".\n";
+  text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
+                          "largest rise in degree C.\n"
+                        : "Creep xi*, traction Q*, temperature: the largest T*.\n");
+  text += mark + "Errors: of the traction " + shortest(law.traction_error * unit.traction) +
+          ", of the temperature " + shortest(law.temperature_error * unit.temperature) + ",\n" +
+          mark + "in full slip times the creep over that at which the stick zone vanishes.\n";
+  for (const LawHalf* half : {&law.driving, &law.braking}) {
+    text += mark + (half == &law.driving ? "Driving" : "Braking");
+    text += half->reason.empty() ? " has no end.\n"
+                                 : " ends at the creep " + shortest(half->last_creep * unit.creep) +
+                                       ": " + half->reason + ".\n";
+  }
+  return text + mark + "Beyond an end the status is 1 and all else is 0.\n";
+}
+
+constexpr const char* c_series = R"(
+static double series(const double *c, double x, double *slope) {
+  double b = 0, before = 0, d = 0, d_before = 0;
+  for (int j = 8; j > 0; --j) {
+    const double next = 2 * x * b - before + c[j], d_next = 2 * x * d - d_before + 2 * b;
+    before = b;
+    b = next;
+    d_before = d;
+    d = d_next;
+  }
+  *slope = b + x * d - d_before;
+  return x * b - before + c[0];
+}
+)";
+
+constexpr const char* c_function = R"(
+int creep_law(double creep, double *traction, double *slope, double *temperature) {
+  const int side = creep < 0;
+  const double sign = side ? -1 : 1, size = sign * creep / creep_unit, unit = unit_creep[side];
+  *traction = *slope = *temperature = 0;
+  if (!(size <= last_creep[side])) return 1;
+  const double z = size <= unit ? sqrt(size / unit) : 2 - unit / size;
+  int k = first_piece[side];
+  while (k + 1 < first_piece[side + 1] && z > to_z[k]) ++k;
+  const double per_z = 2 / (to_z[k] - from_z[k]);
+  const double x = fmin(1, fmax(-1, per_z * (z - from_z[k]) - 1));
+  double by_x, unused;
+  const double q = series(traction_terms + 9 * k, x, &by_x);
+  const double t = series(temperature_terms + 9 * k, x, &unused);
+  const int sticks = to_z[k] <= 1;
+  *traction = traction_unit * sign * q * (sticks ? size : 1);
+  *slope = traction_unit / creep_unit *
+           (sticks ? q + z * per_z * by_x / 2 : unit / size / size * per_z * by_x);
+  *temperature = temperature_unit * t * (sticks ? 1 : size / unit);
+  return 0;
+}
+)";
+
+std::string in_c(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
+  std::string text = comment + "#include <math.h>\n\n";
+  text += "static const double creep_unit = " + shortest(unit.creep) +
+          ", traction_unit = " + shortest(unit.traction) +
+          ", temperature_unit = " + shortest(unit.temperature) + ";\n";
+  for (const LawTable& table : tables_of(law))
+    text += std::string("static const ") + (counts_pieces(table) ? "int " : "double ") +
+            table.name + "[] = {" + listed(table, "HUGE_VAL") + "};\n";
+  return text + c_series + c_function;
+}
+
+constexpr const char* python_function = R"(
+
+def series(c, x):
+    b = before = d = d_before = 0.0
+    for term in reversed(c[1:]):
+        b, before, d, d_before = 2 * x * b - before + term, b, 2 * x * d - d_before + 2 * b, d
+    return x * b - before + c[0], b + x * d - d_before
+
+
+def creep_law(creep):
+    """Traction, its slope, temperature and status at a creep."""
+    side, sign = (1, -1) if creep < 0 else (0, 1)
+    size, unit = sign * creep / creep_unit, unit_creep[side]
+    if not size <= last_creep[side]:
+        return 0.0, 0.0, 0.0, 1
+    z = math.sqrt(size / unit) if size <= unit else 2 - unit / size
+    k = first_piece[side]
+    while k + 1 < first_piece[side + 1] and z > to_z[k]:
+        k += 1
+    per_z = 2 / (to_z[k] - from_z[k])
+    x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
+    q, by_x = series(traction_terms[9 * k:9 * k + 9], x)
+    t, _ = series(temperature_terms[9 * k:9 * k + 9], x)
+    if to_z[k] <= 1:
+        q, slope = size * q, q + z * per_z * by_x / 2
+    else:
+        slope, t = unit / size / size * per_z * by_x, t * size / unit
+    return traction_unit * sign * q, traction_unit / creep_unit * slope, temperature_unit * t, 0
+)";
+
+std::string in_python(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
+  std::string text = comment + "import math\n\n";
+  text += "creep_unit = " + shortest(unit.creep) + "\ntraction_unit = " + shortest(unit.traction) +
+          "\ntemperature_unit = " + shortest(unit.temperature) + "\n";
+  for (const LawTable& table : tables_of(law))
+    text += table.name + (" = [" + listed(table, "math.inf")) + "]\n";
+  return text + python_function;
+}
+
+constexpr const char* modelica_algorithm = R"(  Integer side = if creep < 0 then 2 else 1;
+  Real sign = if creep < 0 then -1 else 1;
+  Real size = sign * creep / creep_unit;
+  Real z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
+  Integer k;
+algorithm
+  traction := 0; slope := 0; temperature := 0; status := 1;
+  if size <= last_creep[side] then
+    status := 0;
+    z := if size <= unit_creep[side] then sqrt(size / unit_creep[side]) else 2 - unit_creep[side] / size;
+    k := first_piece[side] + 1;
+    while k < first_piece[side + 1] and z > to_z[k] loop k := k + 1; end while;
+    per_z := 2 / (to_z[k] - from_z[k]);
+    x := min(1, max(-1, per_z * (z - from_z[k]) - 1));
+    b := {0, 0}; before := {0, 0}; d := {0, 0}; d_before := {0, 0};
+    for j in 9:-1:2 loop
+      next := 2 * x * b - before + {traction_terms[9 * (k - 1) + j], temperature_terms[9 * (k - 1) + j]};
+      before := b;
+      b := next;
+      next := 2 * x * d - d_before + 2 * before;
+      d_before := d;
+      d := next;
+    end for;
+    q := x * b[1] - before[1] + traction_terms[9 * (k - 1) + 1];
+    t := x * b[2] - before[2] + temperature_terms[9 * (k - 1) + 1];
+    by_x := b[1] + x * d[1] - d_before[1];
+)";
+
+constexpr const char* modelica_end = R"(    if to_z[k] <= 1 then
+      traction := traction_unit * sign * size * q;
+      slope := traction_unit / creep_unit * (q + z * per_z * by_x / 2);
+      temperature := temperature_unit * t;
+    else
+      traction := traction_unit * sign * q;
+      slope := traction_unit / creep_unit * unit_creep[side] / size / size * per_z * by_x;
+      temperature := temperature_unit * t * size / unit_creep[side];
+    end if;
+  end if;
+end creep_law;
+)";
+
+std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
+  std::string text = comment + "function creep_law\n  input Real creep;\n";
+  text += "  output Real traction, slope, temperature;\n  output Integer status;\nprotected\n";
+  text += "  constant Real creep_unit = " + shortest(unit.creep) +
+          ", traction_unit = " + shortest(unit.traction) +
+          ", temperature_unit = " + shortest(unit.temperature) + ";\n";
+  for (const LawTable& table : tables_of(law))
+    text += std::string("  constant ") + (counts_pieces(table) ? "Integer " : "Real ") +
+            table.name + "[:] = {" + listed(table, "1e300") + "};\n";
+  return text + modelica_algorithm + modelica_end;
+}
+
+std::string in_json(const CreepLaw& law, const LawUnits& unit, const Scene& scene) {
+  nlohmann::ordered_json o{
+      {"friction", scene.friction},     {"peclet", scene.peclet},
+      {"heating", scene.heating},       {"creep_unit", unit.creep},
+      {"traction_unit", unit.traction}, {"temperature_unit", unit.temperature}};
+  for (const LawTable& table : tables_of(law)) {
+    const std::vector<int> counts(table.numbers.begin(), table.numbers.end());
+    o[table.name] = counts_pieces(table) ? nlohmann::json(counts) : nlohmann::json(table.numbers);
+  }
+  o["end_reason"] = {law.driving.reason, law.braking.reason};
+  o["error_estimate"] = {{"traction", law.traction_error * unit.traction},
+                         {"temperature", law.temperature_error * unit.temperature}};
+  return o.dump(1) + '\n';
+}
+
+/// The creep at z, which has the sign of the creep, and back.
+double creep_at(const CreepLaw& law, double z) {
+  const double size = std::abs(z), unit = (z < 0 ? law.braking : law.driving).unit_creep;
+  return std::copysign(size <= 1 ? unit * size * size : unit / (2 - size), z);
+}
+
+double z_of(const CreepLaw& law, double creep) {
+  const double share = std::abs(creep) / (creep < 0 ? law.braking : law.driving).unit_creep;
+  return std::copysign(share <= 1 ? std::sqrt(share) : 2 - 1 / share, creep);
+}
+
+struct WayAlong {
+  std::vector<double> creep, way;
+};
+
+WayAlong way_along(const CreepLaw& law, const CurveRange& range, double friction) {
+  const double width = range.to - range.from, first = z_of(law, range.from);
+  const int many = 20 * range.points;
+  const double apart = (z_of(law, range.to) - first) / many;
+  WayAlong x{{range.from}, {0}};
+  LawValue last = evaluate(law, range.from).value_or(LawValue{});
+  const auto angle = [&](const LawValue& at) { return std::atan(at.slope * width / friction); };
+  for (int i = 1; i <= many; ++i) {
+    const double creep = i == many ? range.to : creep_at(law, first + i * apart);
+    const LawValue now = evaluate(law, creep).value_or(last);
+    x.way.push_back(x.way.back() + (creep - x.creep.back()) / width +
+                    std::abs(now.traction - last.traction) / friction +
+                    std::abs(angle(now) - angle(last)));
+    x.creep.push_back(creep);
+    last = now;
+  }
+  return x;
+}
+
+}  // namespace
+
+LawUnits law_units(const PhysicalScene& si, double friction) {
+  const Units unit = units_of(si, friction);
+  return {unit.slip / si.speed, si.load, unit.temperature, si.speed, si.bulk_temperature};
+}
+
+std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
+                     Language language) {
+  const LawUnits unit = units.value_or(LawUnits{});
+  const auto comment = [&](const char* mark) { return told(law, scene, units, mark); };
+  if (language == Language::c) return in_c(law, unit, comment("// "));
+  if (language == Language::python) return in_python(law, unit, comment("# "));
+  if (language == Language::modelica) return in_modelica(law, unit, comment("// "));
+  return in_json(law, unit, scene);
+}
+
+std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, double friction) {
+  const auto [creep, way] = way_along(law, range, friction);
+  std::vector<double> points;
+  std::size_t next = 1;
+  for (int k = 0; k + 1 < range.points; ++k) {
+    const double wanted = way.back() * k / (range.points - 1);
+    while (next + 1 < way.size() && way[next] <= wanted) ++next;
+    const double share = (wanted - way[next - 1]) / (way[next] - way[next - 1]);
+    points.push_back(creep[next - 1] + share * (creep[next] - creep[next - 1]));
+  }
+  points.push_back(range.to);
+  return points;
+}
+
+std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& creeps,
+                            const std::optional<LawUnits>& units) {
+  std::string text = "creep,traction,stick_slip_border,full_slip,max_temperature";
+  const bool bulk = units && units->bulk_temperature;
+  if (units) text += ",creep_ratio,creep_speed_m_per_s,traction_n_per_m,max_temperature_celsius";
+  if (bulk) text += ",contact_temperature_celsius";
+  text +=
+      ",error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature\n";
+  for (const double creep : creeps) {
+    const LawValue x = evaluate(law, creep).value_or(LawValue{});
+    const double unit_creep = (creep < 0 ? law.braking : law.driving).unit_creep;
+    const bool full = x.border == -1;
+    std::vector<double> more;
+    if (units) {
+      const double ratio = creep * units->creep, rise = x.temperature * units->temperature;
+      more = {ratio, ratio * units->speed, x.traction * units->traction, rise};
+      if (bulk) more.push_back(*units->bulk_temperature + rise);
+    }
+    more.push_back(law.traction_error);
+    more.push_back(full ? 0 : law.border_error);
+    more.push_back(law.temperature_error * std::max(1.0, std::abs(creep) / unit_creep));
+    text += shortest(creep) + ',' + shortest(x.traction) + ',' + shortest(x.border) + ',' +
+            (full ? "true" : "false") + ',' + shortest(x.temperature);
+    for (const double number : more) text += ',' + shortest(number);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace thermoroll

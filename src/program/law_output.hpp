@@ -1,0 +1,47 @@
+// Tangled from paper/22-creep-curve.md; edit there.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/names.hpp"
+#include "thermoroll/creep_law.hpp"
+
+namespace thermoroll {
+
+enum class Language { c, python, modelica, json };
+inline constexpr Name<Language> language_names[] = {{"c", Language::c},
+                                                    {"python", Language::python},
+                                                    {"modelica", Language::modelica},
+                                                    {"json", Language::json}};
+
+/// The SI values of one xi*, Q* and T*: a fraction of the speed, N/m and degree C; V in m/s and the
+/// bulk temperature in degree C.
+struct LawUnits {
+  double creep = 1, traction = 1, temperature = 1;
+  double speed = 0;
+  std::optional<double> bulk_temperature{};
+};
+
+LawUnits law_units(const PhysicalScene& si, double friction);
+
+/// A law in a language, with its units where they are known.
+std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
+                     Language language);
+
+/// From which creep xi* to which, where that is asked for, and how many rows.
+struct CurveRange {
+  double from, to;
+  int points;
+};
+
+/// Creeps in a range of the law that are dense where the curve bends; the first and the last are
+/// those of the range. At least two.
+std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, double friction);
+
+/// The law at these creeps, a row for each, with columns in SI units if they are known.
+std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& creeps,
+                            const std::optional<LawUnits>& units);
+
+}  // namespace thermoroll

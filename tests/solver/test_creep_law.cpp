@@ -1,0 +1,243 @@
+// Creep laws against the solver that they stand for, and against Carter's closed form.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "thermoroll/carter.hpp"
+#include "thermoroll/coupled.hpp"
+#include "thermoroll/creep_law.hpp"
+
+namespace {
+
+using thermoroll::CoupledSolution;
+using thermoroll::creep_law;
+using thermoroll::CreepLaw;
+using thermoroll::Direction;
+using thermoroll::evaluate;
+using thermoroll::Formulation;
+using thermoroll::LawHalf;
+using thermoroll::LawValue;
+using thermoroll::linear_friction;
+using thermoroll::Quantity;
+using thermoroll::Scene;
+
+std::size_t allocations = 0;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Scene steel() { return {0.6, 4360, 0.0175}; }
+
+Scene hot() {
+  Scene scene{0.6, 100, 0.0175};
+  scene.law = linear_friction({0.02});
+  return scene;
+}
+
+CreepLaw law_of(const Scene& scene, double tolerance = 1e-4, double reach = 4) {
+  return creep_law(scene, Formulation::corrected, tolerance, reach);
+}
+
+CoupledSolution solved(Scene scene, double creep, double tolerance) {
+  scene.direction = creep < 0 ? Direction::braking : Direction::driving;
+  return thermoroll::solve_coupled(scene, Formulation::corrected, tolerance,
+                                   {Quantity::creep, std::abs(creep)});
+}
+
+// The largest error over the stated one, of traction, border and temperature, at random creeps.
+double worst_error(const Scene& scene, double tolerance, int points) {
+  const CreepLaw law = law_of(scene, tolerance);
+  std::mt19937 random(12);
+  std::uniform_real_distribution<> share(0, 1);
+  double worst = 0;
+  for (int i = 0; i < points; ++i) {
+    const bool brakes = i % 2 == 1;
+    const LawHalf& half = brakes ? law.braking : law.driving;
+    const double z = 2 * share(random), unit = half.unit_creep;
+    const double size = std::min(z < 1 ? unit * z * z : unit / (2 - z), half.last_creep);
+    const CoupledSolution x = solved(scene, brakes ? -size : size, tolerance / 100);
+    const LawValue y = evaluate(law, brakes ? -size : size).value();
+    const auto error = [&](double value, Quantity q, double stated) {
+      worst = std::max(worst, std::abs(value - x.value(q)) / (stated + x.error(q)));
+    };
+    error(brakes ? -y.traction : y.traction, Quantity::traction, law.traction_error);
+    error(y.border, Quantity::stick_slip_border, law.border_error);
+    error(y.temperature, Quantity::max_temperature,
+          law.temperature_error * std::max(1.0, size / unit));
+  }
+  return worst;
+}
+
+TEST(CreepLaw, HoldsItsErrorsAtRandomCreeps) {
+  Scene identical = steel();
+  identical.roller = {1, identical.heating};
+  identical.law = thermoroll::exponential_friction({0.01, 0.3});
+  EXPECT_LT(worst_error(steel(), 1e-4, 40), 1);
+  EXPECT_LT(worst_error(hot(), 1e-4, 40), 1);
+  EXPECT_LT(worst_error(hot(), 1e-6, 20), 1);
+  EXPECT_LT(worst_error(identical, 1e-4, 20), 1);
+  EXPECT_LT(worst_error({0.6, 100, 1}, 1e-4, 40), 1);
+}
+
+TEST(CreepLaw, StatesErrorsBelowTheTolerance) {
+  for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
+    const CreepLaw law = law_of(hot(), tolerance);
+    const LawValue full = evaluate(law, law.driving.unit_creep).value();
+    EXPECT_LE(law.traction_error, tolerance);
+    EXPECT_LE(law.border_error, tolerance);
+    EXPECT_LE(law.temperature_error, tolerance * full.temperature * 1.01);  // or of braking
+    EXPECT_GT(law.traction_error, 0);
+    EXPECT_GT(law.temperature_error, 0);
+  }
+}
+
+// Without heat the law is Carter's to the error of a grid, for every creep there is.
+TEST(CreepLaw, IsCartersWithoutHeat) {
+  const CreepLaw law = law_of({0.6, 100, 0}, 1e-4, infinity);
+  double before = 0;
+  for (double creep = 0; creep < 1; creep += 0.01) {
+    const LawValue x = evaluate(law, creep).value();
+    EXPECT_NEAR(x.traction, thermoroll::carter_creep_curve(0.6, creep), 1e-9) << creep;
+    EXPECT_GE(x.traction, before);
+    before = x.traction - 1e-12;
+  }
+  EXPECT_EQ(law.driving.last_creep, infinity);
+  EXPECT_EQ(law.driving.reason, "");
+  EXPECT_NEAR(evaluate(law, 0).value().slope, thermoroll::pi, 1e-9);
+  for (const double creep : {10.0, 1e4, 1e12, infinity})
+    EXPECT_NEAR(evaluate(law, -creep).value().traction, -0.6, 1e-9);
+  // in full slip the heat is f v p, and v is the creep but for what strains and vanishes beside it
+  const double near = evaluate(law, 1e8).value().temperature / 1e8;
+  EXPECT_NEAR(evaluate(law, 1e10).value().temperature / 1e10, near, 1e-4 * near);
+}
+
+TEST(CreepLaw, MirrorsItselfForIdenticalBodies) {
+  Scene scene = hot();
+  scene.heating = 0.5;
+  scene.roller = {1, 0.5};
+  const CreepLaw law = law_of(scene, 1e-4, 1);
+  scene.roller = {};
+  const CreepLaw one_body = law_of(scene, 1e-4, 1);
+  for (double creep = 0.01; creep < 0.6; creep += 0.03) {
+    const LawValue x = evaluate(law, creep).value(), y = evaluate(law, -creep).value();
+    EXPECT_EQ(x.traction, -y.traction);
+    EXPECT_EQ(x.slope, y.slope);
+    EXPECT_EQ(x.temperature, y.temperature);
+    EXPECT_EQ(x.border, y.border);
+  }
+  const LawValue x = evaluate(one_body, 0.2).value(), y = evaluate(one_body, -0.2).value();
+  EXPECT_GT(std::abs(x.traction + y.traction), 10 * one_body.traction_error);
+}
+
+// The tilt over a short way is the slope, but for the third derivative and rounding: on the pieces
+// of these laws the former is below 1e3, and the way is 1e-5 (1e-7), the latter 1e-16 / 1e-5.
+TEST(CreepLaw, SlopeIsTheDerivative) {
+  const CreepLaw law = law_of(hot());
+  for (const double sign : {1.0, -1.0})
+    for (double size = 0.011; size < 2; size += 0.017) {
+      const double creep = sign * size, way = 1e-5;
+      const double tilt = (evaluate(law, creep + way).value().traction -
+                           evaluate(law, creep - way).value().traction) /
+                          (2 * way);
+      EXPECT_NEAR(evaluate(law, creep).value().slope, tilt, 1e-6) << creep;
+    }
+}
+
+// Neighbours share an end, found twice: once to the error of either grid.
+TEST(CreepLaw, PiecesJoin) {
+  const CreepLaw law = law_of({0.6, 100, 1});
+  for (const LawHalf* one : {&law.driving, &law.braking}) {
+    const LawHalf& half = *one;
+    const double sign = &half == &law.braking ? -1 : 1, unit = half.unit_creep;
+    ASSERT_GT(half.pieces.size(), 2);
+    EXPECT_EQ(half.pieces.front().from, 0);
+    for (std::size_t k = 1; k < half.pieces.size(); ++k) {
+      const double z = half.pieces[k].from;
+      EXPECT_NEAR(z, half.pieces[k - 1].to, 1e-4);
+      const double creep = sign * (z <= 1 ? unit * z * z : unit / (2 - z));
+      const LawValue x = evaluate(law, creep * (1 - 1e-9)).value(),
+                     y = evaluate(law, creep * (1 + 1e-9)).value();
+      EXPECT_NEAR(x.traction, y.traction, law.traction_error);
+      EXPECT_NEAR(x.border, y.border, law.border_error);
+      EXPECT_NEAR(x.temperature, y.temperature,
+                  law.temperature_error * std::max(1.0, std::abs(creep) / unit));
+    }
+  }
+}
+
+TEST(CreepLaw, EndsWhereContactIsLost) {
+  const Scene slow{0.6, 0.5, 1};
+  const CreepLaw law = law_of(slow, 1e-4, infinity);
+  for (const LawHalf* one : {&law.driving, &law.braking}) {
+    const LawHalf& half = *one;
+    const double sign = &half == &law.braking ? -1 : 1, end = sign * half.last_creep;
+    EXPECT_EQ(half.reason, "contact is lost: separation");
+    EXPECT_TRUE(solved(slow, 0.999 * end, 1e-6).violations.empty());
+    const CoupledSolution beyond = solved(slow, 1.001 * end, 1e-6);
+    ASSERT_FALSE(beyond.violations.empty());
+    EXPECT_EQ(beyond.violations.front().what, "separation");
+  }
+}
+
+// A kink in the law of friction costs a grid its accuracy: what is left is said.
+TEST(CreepLaw, EndsWhereItIsNotResolved) {
+  Scene steep = hot();
+  steep.law = thermoroll::piecewise_linear_friction({0.01, 1.5});
+  const CreepLaw law = law_of(steep, 1e-6);
+  EXPECT_EQ(law.driving.reason, "the solution is not resolved");
+  EXPECT_LT(law.driving.last_creep, 0.4);
+  EXPECT_LE(law.traction_error, 1e-6);
+  EXPECT_FALSE(evaluate(law, 0.4).has_value());
+}
+
+TEST(CreepLaw, HasNoValueBeyondItsEnd) {
+  const CreepLaw law = law_of(steel(), 1e-4, 2);
+  EXPECT_EQ(law.driving.reason, "no more was asked for");
+  for (const LawHalf* one : {&law.driving, &law.braking}) {
+    const LawHalf& half = *one;
+    const double end = (&half == &law.braking ? -1 : 1) * half.last_creep;
+    EXPECT_NEAR(half.last_creep, 2, 1e-12);
+    EXPECT_TRUE(evaluate(law, end).has_value());
+    EXPECT_FALSE(evaluate(law, end * (1 + 1e-12)).has_value());
+  }
+  EXPECT_FALSE(evaluate(law, infinity).has_value());
+  EXPECT_FALSE(evaluate(law, std::nan("")).has_value());
+}
+
+TEST(CreepLaw, EvaluationAllocatesNothing) {
+  const CreepLaw law = law_of(hot());
+  const std::size_t before = allocations;
+  double sum = 0;
+  for (double creep = -6; creep < 6; creep += 0.01)
+    sum += evaluate(law, creep).value_or(LawValue{}).traction;
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(before, 0);
+  EXPECT_LT(std::abs(sum), 1000);
+}
+
+TEST(CreepLaw, RefusesWhatMakesNoSense) {
+  EXPECT_THROW(law_of(steel(), 1e-8), std::invalid_argument);
+  EXPECT_THROW(law_of(steel(), 0.1), std::invalid_argument);
+  EXPECT_THROW(law_of(steel(), 1e-4, 0), std::invalid_argument);
+  EXPECT_THROW(law_of(steel(), 1e-4, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(law_of({-0.6, 100, 0}), std::invalid_argument);
+  EXPECT_THROW(law_of({0.6, 100, 1, {1, 1, 50}}), std::invalid_argument);
+}
+
+}  // namespace
+
+// Every allocation of this program is counted.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
