@@ -1,0 +1,31 @@
+// Tangled from paper/21-hot-friction.md; edit there.
+#pragma once
+
+#include <cmath>
+
+#include "thermoroll/friction_law.hpp"
+
+namespace thermoroll {
+
+/// SI units; two bodies of one effusivity. The slip is over the speed, at both ends of the middle
+/// strip; cells are in half-lengths of it.
+struct EllipticContact {
+  double half_length, half_width, pressure, speed, slip_ahead, slip_behind, friction;
+  double effusivity = std::sqrt(50 * 7850 * 450.0);
+};
+
+struct OnEllipse {
+  double force, temperature;  // over that of constant friction; the largest, in degrees
+};
+
+/// Strips on half of the ellipse, cells on the middle one, and the weight of a cell for its own
+/// temperature over that of @eq:strip.
+struct Cells {
+  int strips;
+  double middle, own_weight;
+};
+
+/// The force and the largest temperature by strips, @eq:strip; the law is by the rise in degrees.
+OnEllipse on_ellipse(const EllipticContact& x, const FrictionLaw& law, const Cells& cells);
+
+}  // namespace thermoroll
