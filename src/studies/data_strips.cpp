@@ -24,13 +24,13 @@ const EllipticContact locomotive{euro, 2 * euro, 640.7e6, 10, 0.25, 0.25, 0.33};
 const Cells ertz_cells{24, 58.8, 2}, euro_cells{20, 40, 2};  // of 0.2 mm; of a twentieth of a
 
 const Published published[] = {
-    {"Ertz, constant", ertz_wheel, 0, 1, {1, 166.8}, ertz_cells},
-    {"Ertz, −0.18 over 400 K", ertz_wheel, -0.18, 400, {0.8660, 137.5}, ertz_cells},
-    {"Ertz, +0.18 over 400 K", ertz_wheel, 0.18, 400, {1.178, 208.9}, ertz_cells},
-    {"locomotive, constant", locomotive, 0, 1, {1, 688.0}, euro_cells},
-    {"locomotive, +0.19 over 1200 K", locomotive, 0.19, 1200, {1.262, 939.7}, euro_cells},
-    {"locomotive, −0.19 over 1200 K", locomotive, -0.19, 1200, {0.8257, 535.1}, euro_cells},
-    {"locomotive, −0.19 over 400 K", locomotive, -0.19, 400, {0.6108, 364.7}, euro_cells}};
+    {"Ertz: constant", ertz_wheel, 0, 1, {1, 166.8}, ertz_cells},
+    {"Ertz: −0.18 over 400 K", ertz_wheel, -0.18, 400, {0.8660, 137.5}, ertz_cells},
+    {"Ertz: +0.18 over 400 K", ertz_wheel, 0.18, 400, {1.178, 208.9}, ertz_cells},
+    {"locomotive: constant", locomotive, 0, 1, {1, 688.0}, euro_cells},
+    {"locomotive: +0.19 over 1200 K", locomotive, 0.19, 1200, {1.262, 939.7}, euro_cells},
+    {"locomotive: −0.19 over 1200 K", locomotive, -0.19, 1200, {0.8257, 535.1}, euro_cells},
+    {"locomotive: −0.19 over 400 K", locomotive, -0.19, 400, {0.6108, 364.7}, euro_cells}};
 
 FrictionLaw law_of(const Published& x) {
   return piecewise_linear_friction({x.over, 1 + x.change / x.contact.friction});
