@@ -99,7 +99,7 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   double by_x, unused;
   const double q = series(traction_terms + 9 * k, x, &by_x);
   const double t = series(temperature_terms + 9 * k, x, &unused);
-  const int sticks = to_z[k] <= 1;
+  const int sticks = from_z[k] < 1;
   *traction = traction_unit * sign * q * (sticks ? size : 1);
   *slope = traction_unit / creep_unit *
            (sticks ? q + z * per_z * by_x / 2 : unit / size / size * per_z * by_x);
@@ -142,7 +142,7 @@ def creep_law(creep):
     x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
     q, by_x = series(traction_terms[9 * k:9 * k + 9], x)
     t, _ = series(temperature_terms[9 * k:9 * k + 9], x)
-    if to_z[k] <= 1:
+    if from_z[k] < 1:
         q, slope = size * q, q + z * per_z * by_x / 2
     else:
         slope, t = unit / size / size * per_z * by_x, t * size / unit
@@ -186,7 +186,7 @@ algorithm
     by_x := b[1] + x * d[1] - d_before[1];
 )";
 
-constexpr const char* modelica_end = R"(    if to_z[k] <= 1 then
+constexpr const char* modelica_end = R"(    if from_z[k] < 1 then
       traction := traction_unit * sign * size * q;
       slope := traction_unit / creep_unit * (q + z * per_z * by_x / 2);
       temperature := temperature_unit * t;

@@ -55,9 +55,9 @@ constexpr SceneOption roller_peclet[] = {
     {"--peclet-2", "NUMBER", "its Peclet number Pe2 = V a / 2 k2, --peclet if not given",
      &SceneOptions::peclet_2}};
 
-constexpr SceneOption roller_diffusivity[] = {
-    {"--diffusivity-2", "m^2/s", "its diffusivity, --diffusivity if not given",
-     &SceneOptions::diffusivity_2}};
+constexpr SceneOption roller_diffusivity[] = {{"--diffusivity-2", "m^2/s",
+                                               "its diffusivity, --diffusivity if not given",
+                                               &SceneOptions::diffusivity_2}};
 
 constexpr SceneOption law_options[] = {
     {"--friction-temperature", "NUMBER",
