@@ -113,5 +113,7 @@ return function(tex, kind)
   html = mark_signs(size_brackets(space_names(join_words(in_one_way(html)))))
     :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
+  html = html:gsub('^<math display="inline" xmlns="[^"]*"', "<math") -- HTML needs neither
+    :gsub('^<math display="block" xmlns="[^"]*"', '<math display="block"')
   return settle_brackets(html)
 end

@@ -542,14 +542,14 @@ local function coloured_once(text, language)
 end
 
 --- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link. Operators,
---- functions, attributes and numbers have no colour of their own; their tags would be a quarter of the report.
+--- functions, attributes, includes and numbers have no colour of their own; their tags would be a quarter of the report.
 local function highlighted(lines, language, colour)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
   local out = {}
   for line in (colour(text, language) .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
-    for _, plain in ipairs { "op", "bu", "fu", "at", "dv", "fl" } do
+    for _, plain in ipairs { "op", "bu", "fu", "at", "dv", "fl", "im", "pp" } do
       inside = inside:gsub('<span class="' .. plain .. '">([^<]*)</span>', "%1")
     end
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)

@@ -40,7 +40,8 @@ constexpr Row<PhysicalResults> physical_rows[] = {
 RollerKind kind_of(const Scene& scene) {
   const Roller& roller = scene.roller;
   if (roller.conductivity_ratio == 0) return RollerKind::insulated;
-  const bool alike = roller.conductivity_ratio == 1 && roller.heating == scene.heating && roller.peclet == 0;
+  const bool alike =
+      roller.conductivity_ratio == 1 && roller.heating == scene.heating && roller.peclet == 0;
   return alike ? RollerKind::identical : RollerKind::conducting;
 }
 
@@ -213,8 +214,8 @@ void erase_keys(json& o, const std::vector<const char*>& keys) {
 
 void leave_out(json& o, const MoreColumns& with) {
   if (!with.roller)
-    erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "peclet_2", "effusivity_ratio", "heat_1", "heat_2",
-                   "heat_partition"});
+    erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "peclet_2",
+                   "effusivity_ratio", "heat_1", "heat_2", "heat_partition"});
   if (!with.law)
     erase_keys(o, {"friction_law", "friction_temperature", "friction_floor",
                    "friction_reference_temperature", "branch", "friction_min", "traction_limit",

@@ -212,10 +212,11 @@ Results carter_slope(const Carter& c, Quantity by) {
 void refuse_short_contact(double ahead, double tolerance) {
   if (ahead <= tolerance / 2) return;
   char text[200];
-  std::snprintf(text, sizeof text,
-                "coupled: of the heat of unlike bodies %.1e would cross ahead of the contact, where "
-                "they do not touch: more than half the tolerance %g",
-                ahead, tolerance);
+  std::snprintf(
+      text, sizeof text,
+      "coupled: of the heat of unlike bodies %.1e would cross ahead of the contact, where "
+      "they do not touch: more than half the tolerance %g",
+      ahead, tolerance);
   throw std::runtime_error(text);
 }
 
@@ -321,8 +322,7 @@ Profile profile(const CoupledSolution& x) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
     profile.temperature(i) =
-        temperature_and_slope(slip, conduction, x.h, left, 2 - left, gap, grid.rules.fine)
-            .value;
+        temperature_and_slope(slip, conduction, x.h, left, 2 - left, gap, grid.rules.fine).value;
   }
   profile.temperature *= heat_share(x.scene);
   return profile;

@@ -7,7 +7,6 @@
 
 namespace thermoroll {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -80,7 +80,8 @@ MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegen
       const ArrayXd zeta = graded.zeta(k) + further;
       const std::vector<Kernels> kernels = at_distances(conduction, zeta);
       for (Index j = 0; j < m; ++j)
-        kernel(j, k) = kernels[static_cast<std::size_t>(j)].m_down * upstream_share(conduction, zeta(j));
+        kernel(j, k) =
+            kernels[static_cast<std::size_t>(j)].m_down * upstream_share(conduction, zeta(j));
     }
     t.bottomRows(m) = kernel * graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
   }

@@ -160,6 +160,13 @@ CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd
   return x;
 }
 
+/// Null where one may do.
+const char* why_coupled(const Scene& scene, const Prescribed& given) {
+  if (scene.law) return "friction depends on temperature";
+  if (is_unlike(scene)) return "the bodies have unlike diffusivities";
+  return sticks_without_heat(scene.friction, given) ? nullptr : "without heat nothing would stick";
+}
+
 std::string brief(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1e", x);
@@ -226,15 +233,8 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
                    const Prescribed& given) {
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
-  if (scene.law)
-    return {Model::coupled, "friction depends on temperature",
-            solve_coupled(scene, formulation, tolerance, given)};
-  if (is_unlike(scene))
-    return {Model::coupled, "the bodies have unlike diffusivities",
-            solve_coupled(scene, formulation, tolerance, given)};
-  if (!sticks_without_heat(scene.friction, given))
-    return {Model::coupled, "without heat nothing would stick",
-            solve_coupled(scene, formulation, tolerance, given)};
+  if (const char* why = why_coupled(scene, given))
+    return {Model::coupled, why, solve_coupled(scene, formulation, tolerance, given)};
   double change = expected_change(scene, carter_given(scene.friction, given));
   if (change <= tolerance) {
     CoupledSolution x = closed_form(scene, formulation, tolerance, given);

@@ -15,7 +15,17 @@ namespace {
 
 using complex = std::complex<double>;
 
-constexpr int degree = 13;  // of the polynomials of a cell
+constexpr int places = 14;  // of the polynomials of a cell
+
+Eigen::ArrayXd cell_places() {
+  return (pi * (Eigen::ArrayXd::LinSpaced(places, 0, places - 1) + 0.5) / places).cos();
+}
+
+Eigen::MatrixXd powers(const Eigen::ArrayXd& x) {
+  Eigen::MatrixXd all(x.size(), x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) all.col(i) = x.pow(static_cast<double>(i));
+  return all;
+}
 
 complex upper_root(double x) {
   return x > 0 ? complex(std::sqrt(x), 0) : complex(0, -std::sqrt(-x));
@@ -55,7 +65,7 @@ Density downstream(const Scene& scene, double u) {
 
 /// Add panels from a place where a density is as a square root, to another; the first is so long.
 void add_panels(Exponentials& sum, double from, double to, double first) {
-  const GaussLegendre& rule = gauss_legendre(12);
+  const GaussLegendre& rule = gauss_legendre(10);
   const double sign = to > from ? 1 : -1, length = std::abs(to - from);
   double start = 0, end = std::min(first, length);
   while (start < length) {
@@ -80,13 +90,13 @@ Exponentials upstream_exponentials(double low, double high, double ratio) {
   add_panels(sum, low, low / 2, at_low);
   add_panels(sum, low, middle, at_low);
   add_panels(sum, high, middle, at_high);
-  add_panels(sum, high, high * 0x1p45, at_high);
+  add_panels(sum, high, high * 0x1p32, at_high);
   return sum;
 }
 
 Exponentials downstream_exponentials(double low, double high) {
   Exponentials sum;
-  add_panels(sum, 0, high * 0x1p45, low * 0x1p-20);
+  add_panels(sum, 0, high * 0x1p32, low * 0x1p-20);
   return sum;
 }
 
@@ -135,26 +145,34 @@ double place_in(const Cell& cell) {
 
 Remainders PairTable::operator()(double z) const {
   const Cell cell = cell_of(z);
-  const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / (degree + 1);
+  const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / places;
   if (at >= cells) return all_exponentials(*this, z);
-  const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0) * (degree + 1))];
+  const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0)) * places];
   const double x = at < 0 ? -1 : cell.x;  // next to zero they are constant
-  Remainders sum = c[degree];
-  for (int i = degree; i-- > 0;) sum = sum * x + c[i];
+  Remainders sum = c[places - 1];
+  for (int i = places - 1; i-- > 0;) sum = sum * x + c[i];
   return sum;
 }
 
-void add_cell(PairTable& table, int number) {
-  constexpr int n = degree + 1;
-  const Eigen::ArrayXd x = (pi * (Eigen::ArrayXd::LinSpaced(n, 0, degree) + 0.5) / n).cos();
-  Eigen::Matrix<double, n, n> powers;
-  Eigen::Matrix<double, n, 5> values;
-  for (int i = 0; i < n; ++i) {
-    powers.col(i) = x.pow(i);
-    values.row(i) = all_exponentials(table, place_in({number, x(i)})).transpose();
+/// exp(-u z) for each u (rows) and place of an octave (columns).
+void next_octave(Eigen::ArrayXXd& powers, const Exponentials& of, const Eigen::ArrayXd& z,
+                 int octave) {
+  const Eigen::Map<const Eigen::VectorXd> u(of.u.data(), static_cast<Eigen::Index>(of.u.size()));
+  if (octave % 8 > 0)
+    powers = powers.square();
+  else
+    powers = (-u * z.matrix().transpose()).array().exp();
+}
+
+void add_octave(PairTable& table, const Densities& up, const Densities& down) {
+  const Eigen::MatrixXd to_powers = powers(cell_places()).inverse();
+  for (const int half : {0, places}) {
+    Eigen::Matrix<double, places, 5> values;
+    values << up.middleCols<places>(half).topRows<3>().transpose(),
+        down.middleCols<places>(half).middleRows<2>(1).transpose();
+    const Eigen::Matrix<double, places, 5> c = to_powers * values;
+    for (int i = 0; i < places; ++i) table.coefficients.push_back(c.row(i).transpose());
   }
-  const Eigen::Matrix<double, n, 5> c = powers.partialPivLu().solve(values);
-  for (int i = 0; i < n; ++i) table.coefficients.push_back(c.row(i).transpose());
 }
 
 PairTable::PairTable(const Scene& pair)
@@ -162,15 +180,25 @@ PairTable::PairTable(const Scene& pair)
       other_peclet(peclet_2(pair)),
       slope_1(peclet * pair.heating),
       slope_2(pair.roller.conductivity_ratio * other_peclet * pair.roller.heating) {
-  const double low = 2 * std::min(pair.peclet, peclet_2(pair));
-  const double high = 2 * std::max(pair.peclet, peclet_2(pair));
+  const double low = 2 * std::min(peclet, other_peclet), high = 2 * std::max(peclet, other_peclet);
   const double k = pair.roller.conductivity_ratio;
   up = upstream_exponentials(low, high, peclet < other_peclet ? k : 1 / k);
   down = downstream_exponentials(low, high);
   up_density = densities(up, [&](double u) { return upstream(pair, u); });
   down_density = densities(down, [&](double u) { return downstream(pair, u); });
-  first = cell_of(0x1p-44 / high).number;
-  for (int cell = first; cell < cell_of(8).number; ++cell) add_cell(*this, cell);
+  first = cell_of(0x1p-24 / high).number & ~1;
+  Eigen::ArrayXd z(2 * places);
+  for (int i = 0; i < places; ++i) {
+    z(i) = place_in({first, cell_places()(i)});
+    z(places + i) = place_in({first + 1, cell_places()(i)});
+  }
+  Eigen::ArrayXXd of_up, of_down;
+  for (int octave = 0; z(0) < 4; ++octave) {
+    next_octave(of_up, up, z, octave);
+    next_octave(of_down, down, z, octave);
+    add_octave(*this, up_density * of_up.matrix(), down_density * of_down.matrix());
+    z *= 2;
+  }
 }
 
 double farther_ahead(const PairTable& table, double z) {

@@ -99,7 +99,7 @@ void check_tolerance(double tolerance) {
 
 void check_method(const Scene& scene, const Prescribed& given, Method method) {
   const bool lesser = method == Method::closed_form || method == Method::first_order ||
-                        method == Method::gauss_chebyshev;
+                      method == Method::gauss_chebyshev;
   if (scene.law && lesser)
     throw std::invalid_argument(
         "friction that depends on temperature needs the method coupled or auto");

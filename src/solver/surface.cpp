@@ -36,15 +36,16 @@ double temperature_sum(const Conduction& c, const GradedRule& graded, const Grad
 
 }  // namespace
 
-TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction, const VectorXd& h,
-                                          double left, double right, double gap,
+TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction,
+                                          const VectorXd& h, double left, double right, double gap,
                                           const GaussLegendre& rule) {
   TemperatureAndSlope sum{0, 0};
   GradedRule graded;
   const VectorXd dh = derivative(h);
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
-    grade(graded, conduction.peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left, rule);
+    grade(graded, conduction.peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left,
+          rule);
     if (side > 0) graded.cut(20 / conduction.slowest);
     const GradedArray value = series(side, graded.y, h), slope = series(side, graded.y, dh);
     const GradedArray m = temperature_kernel(conduction, side, graded.zeta);
@@ -55,7 +56,8 @@ TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduct
 }
 
 /// The hottest point by temperatures alone.
-HottestPoint search(double slip, const Conduction& conduction, const VectorXd& h, const GaussLegendre& rule) {
+HottestPoint search(double slip, const Conduction& conduction, const VectorXd& h,
+                    const GaussLegendre& rule) {
   const auto value = [&](double y) {
     return std::abs(y) < 1 ? temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule).value
                            : 0;
@@ -72,13 +74,14 @@ HottestPoint search(double slip, const Conduction& conduction, const VectorXd& h
   return top;
 }
 
-HottestPoint find_hottest(double slip, const Conduction& conduction, const VectorXd& h, const HottestPoint& near,
-                          const GaussLegendre& rule) {
+HottestPoint find_hottest(double slip, const Conduction& conduction, const VectorXd& h,
+                          const HottestPoint& near, const GaussLegendre& rule) {
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
          hottest = 0;
   for (int step = 0;; ++step) {
     const SlipPoint at(1 + y, 1 - y);
-    const TemperatureAndSlope now = temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule);
+    const TemperatureAndSlope now =
+        temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule);
     const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
     if (step > 0) curvature = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
@@ -118,7 +121,8 @@ ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction,
       const auto from = [&](double behind, double ahead, double side) {
         grade(graded, conduction.peclet * slip, 0, behind, ahead, rule);
         if (side > 0) graded.cut(20 / conduction.slowest);
-        return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side, 0);
+        return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side,
+                               0);
       };
       sums(i) = left < right ? from(near, far, 1) + from(far, near, -1)
                              : from(far, near, 1) + from(near, far, -1);
@@ -142,7 +146,8 @@ double quadrature_error(int nodes, double change, double top) {
   return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }
 
-SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, const ArrayXd& s, double tolerance) {
+SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, const ArrayXd& s,
+                           double tolerance) {
   require(conduction.peclet > 0, "peclet", conduction.peclet, "positive");
   require(tolerance >= 1e-12, "tolerance", tolerance, "at least 1e-12");
   for (const double place : s) require(true, "s", place, "finite");
@@ -169,7 +174,8 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
 Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tolerance) {
   int nodes = 40;
   for (HottestPoint before = find_hottest(x.slip, conduction, x.h, {}, gauss_legendre(nodes));;) {
-    const HottestPoint now = find_hottest(x.slip, conduction, x.h, before, gauss_legendre(nodes += 8));
+    const HottestPoint now =
+        find_hottest(x.slip, conduction, x.h, before, gauss_legendre(nodes += 8));
     const double error = quadrature_error(nodes, std::abs(now.value - before.value), now.value);
     if (error <= tolerance * now.value || nodes >= most_unknowns) {
       const double moved = std::abs(now.y - before.y) + 1e-9;

@@ -26,14 +26,15 @@ struct TemperatureAndSlope {
 /// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
 /// or, with left = 0, across a gap (in lengths of the slip zone); a rule of a multiple of eight
 /// nodes.
-TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction, const Eigen::VectorXd& h,
-                                          double left, double right, double gap,
-                                          const GaussLegendre& rule);
+TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction,
+                                          const Eigen::VectorXd& h, double left, double right,
+                                          double gap, const GaussLegendre& rule);
 
 /// T* on the surface at every s of a list, for a flux with Legendre coefficients h; a rule of a
 /// multiple of eight nodes.
-Eigen::ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction, const Eigen::VectorXd& h,
-                                   const Eigen::ArrayXd& s, const GaussLegendre& rule);
+Eigen::ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction,
+                                   const Eigen::VectorXd& h, const Eigen::ArrayXd& s,
+                                   const GaussLegendre& rule);
 
 /// The hottest point of the slip zone and T* there.
 struct HottestPoint {
@@ -55,8 +56,8 @@ struct SurfaceCurve {
 
 /// T* on the surface at every s. The error estimate, to which that of the flux is to be added, is
 /// below tolerance >= 1e-12 times the largest T*, or what graded rules of 480 nodes leave.
-SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, const Eigen::ArrayXd& s,
-                           double tolerance);
+SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction,
+                           const Eigen::ArrayXd& s, double tolerance);
 
 /// The largest T* on the surface, and where it is; tolerance as above.
 Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tolerance);

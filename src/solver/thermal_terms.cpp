@@ -15,7 +15,8 @@ using Eigen::RowVectorXd;
 namespace {
 
 /// N1 and N2 at the distances zeta (columns), and as much further (rows).
-void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd& further, MatrixXd& n1, MatrixXd& n2) {
+void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd& further,
+                     MatrixXd& n1, MatrixXd& n2) {
   n1.resize(further.size(), zeta.size());
   n2.resize(further.size(), zeta.size());
   for (Index i = 0; i < zeta.size(); ++i) {

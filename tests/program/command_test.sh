@@ -211,7 +211,7 @@ ClosedFormGivesTheConvergedMaximum() {
 
 JsonHasItsKeysInOrder() {
   local case="method model reason formulation friction traction peclet heating nodes"
-  case="$case roller direction heating_2 conductivity_ratio"
+  case="$case roller direction heating_2 conductivity_ratio peclet_2 effusivity_ratio"
   case="$case friction_law friction_temperature friction_floor friction_reference_temperature branch"
   local bounded="stick_slip_border creep_constant creep load_ratio gamma0 eccentricity heat_integral"
   bounded="$bounded max_temperature max_temperature_at heat_1 heat_2"
@@ -255,7 +255,7 @@ CsvSaysWhatJsonSays() {
   local case method
   for method in $methods; do
     answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format json
-    local pair="roller\|direction\|heating_2\|conductivity_ratio\|heat_[12]\|heat_partition\|full_slip"
+    local pair="roller\|direction\|heating_2\|conductivity_ratio\|peclet_2\|effusivity_ratio\|heat_[12]\|heat_partition\|full_slip"
     pair="$pair\|friction_law\|friction_temperature\|friction_floor\|friction_reference_temperature\|branch"
     pair="$pair\|friction_min\|traction_limit\|creep_at_traction_limit\|contact_temperature_celsius"
     sed -n '/^ *"\('"$pair"'\)":/d; s/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  *}.*/out/p' out |
@@ -277,12 +277,12 @@ InsulatedRollersKeepTheirColumns() {
   columns() { head -1 out | tr ',' '\n'; }
   answers solve "${paper_scene[@]}" --format csv
   columns >insulated
-  ! grep -Ex 'roller|direction|full_slip|.*heat(ing)?_([12]|partition)|conductivity_ratio' insulated ||
+  ! grep -Ex 'roller|direction|full_slip|.*heat(ing)?_([12]|partition)|conductivity_ratio|peclet_2|effusivity_ratio' insulated ||
     fail "new columns"
   answers solve --friction 0.6 --traction -0.5 --peclet 5000 --roller insulated --format csv
   columns | cmp - insulated || fail "braking has other columns"
   answers solve "${paper_scene[@]}" --roller identical --format csv
-  local new="roller direction heating_2 conductivity_ratio heat_1 heat_2 heat_partition full_slip"
+  local new="roller direction heating_2 conductivity_ratio peclet_2 effusivity_ratio heat_1 heat_2 heat_partition full_slip"
   [ "$(columns | grep -vxFf insulated | paste -sd' ')" = "$new error_estimate.heat_1 error_estimate.heat_2" ] ||
     fail "$(columns)"
   [ "$(columns | grep -xFf insulated)" = "$(cat insulated)" ] || fail "another order: $(columns)"
@@ -573,6 +573,28 @@ Rollers() {
   ! grep -q 'half as hot' out || fail "a remark on degrees without any"
 }
 
+# Data of unlike bodies in SI units are those in groups; the total heat is shared by the effusivities.
+UnlikeRollers() {
+  local pair=(--roller conducting --conductivity-ratio 2 --heating-2 0.7 --peclet-2 20)
+  local scene=(--friction 0.6 --stick-slip-border -0.1845 --peclet 100 --heating 1)
+  answers solve "${scene[@]}" "${pair[@]}" --tolerance 1e-9 --format json
+  near "$(value traction)" 0.4931146464525543 2e-9
+  near "$(value heat_1)" 0.09449678871143838 1e-9
+  near "$(value heat_partition)" "$(calculate "1 / (1 + 2 * sqrt(0.2))")" 1e-15
+  near "$(value effusivity_ratio)" "$(calculate "2 * sqrt(0.2)")" 1e-15
+  [ "$(value model) $(value roller) $(value peclet_2)" = "coupled conducting 20.0" ] || fail "$(cat out)"
+  refuses 1 "coupled: of the heat of unlike bodies 1.1e-01 would cross ahead of the contact" \
+    solve --friction 0.6 --stick-slip-border -0.1845 --peclet 2 --heating 1 "${pair[@]/#20/0.5}"
+  local si=("${steel[@]}" --half-width 5.5e-3 --roller conducting --conductivity-2 200 --expansion-2 2.3e-5)
+  answers solve "${si[@]}" --diffusivity-2 8e-5 --format json
+  near "$(value peclet_2)" "$(calculate "22.2 * 5.5e-3 / (2 * 8e-5)")" 1e-10
+  near "$(value heating_2)" "$(calculate "2 * 2.3e-5 * 1.3 * 8e-5 * 1.2e7 / (5.5e-3 * 200)")" 1e-15
+  answers solve "${si[@]}" --diffusivity-2 1.4e-5 --format json
+  mv out same
+  answers solve "${si[@]}" --format json
+  cmp out same || fail "the same diffusivity makes a difference"
+}
+
 BadRollers() {
   local scene=(--friction 0.6 --traction 0.4 --peclet 100 --heating 1) si=("${steel[@]}" --half-width 5.5e-3)
   refuses 2 "roller = wood is not allowed: it must be insulated or identical or conducting" \
@@ -594,8 +616,14 @@ BadRollers() {
     solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 1e-5 --heating-2 1
   refuses 2 "--peclet and --heating exclude data in SI units; given: --expansion-2" \
     solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1 --heating-2 1 --expansion-2 1e-5
-  refuses 2 "diffusivity-2 = 1e-05 is not allowed: it must be equal to --diffusivity: bodies of unlike" \
-    solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 1e-5 --diffusivity-2 1e-5
+  refuses 2 "diffusivity-2 = 0 is not allowed: it must be positive" \
+    solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 1e-5 --diffusivity-2 0
+  refuses 2 "peclet-2 = -1 is not allowed: it must be positive" \
+    solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1 --heating-2 1 --peclet-2 -1
+  refuses 2 "--roller identical has no data of its own; for --peclet-2 say --roller conducting" \
+    solve "${scene[@]}" --roller identical --peclet-2 50
+  refuses 2 "bodies of unlike diffusivities need the method coupled or auto" \
+    solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1 --heating-2 1 --peclet-2 50 --method first-order
   refuses 2 "conductivity-2 = 0 is not allowed: it must be positive" \
     solve "${si[@]}" "${conducting[@]}" --conductivity-2 0 --expansion-2 1e-5
   refuses 2 "expansion-2 = -1 is not allowed: it must be zero or positive" \

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "driven.hpp"
 #include "solver/least_model.hpp"
@@ -27,7 +28,8 @@ using thermoroll::Times;
 /// A file with this text, removed at the end.
 class File {
  public:
-  explicit File(const std::string& text) : path_(testing::TempDir() + "thermoroll-times.json") {
+  explicit File(const std::string& text)
+      : path_(testing::TempDir() + "thermoroll-times-" + std::to_string(getpid())) {
     std::ofstream(path_) << text;
   }
   ~File() { std::remove(path_.c_str()); }
