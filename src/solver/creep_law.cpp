@@ -72,7 +72,7 @@ GridSolution solution_at(const HalfCurve& curve, int n, double w, GridSolution n
   return x;
 }
 
-constexpr int law_grids[] = {16, 32, 64};
+constexpr int law_grids[] = {20, 40, 64};
 
 bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
   if (x.newton_steps == 0 || y.newton_steps == 0) return false;
@@ -223,7 +223,9 @@ Trial try_piece(const HalfInTheMaking& x, int n, double from, double to, GridSol
 }
 
 bool is_too_coarse(const Trial& trial, const LawErrors& tolerance) {
-  return (trial.error > tolerance && trial.of_grid > 0.3 * trial.error).any();
+  const Eigen::Array<bool, 3, 1> misses = trial.error > tolerance;
+  const Eigen::Array<bool, 3, 1> by_grid = trial.of_grid > 0.3 * trial.error;
+  return misses.any() && (!misses || by_grid).all();
 }
 
 /// Add the pieces from w = from to w = to, on this grid or finer ones; false where they end early.
