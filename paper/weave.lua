@@ -326,9 +326,40 @@ local function caption(noun, number, inlines)
   return pandoc.List({ pandoc.Strong(noun .. " " .. number .. "."), pandoc.Space() }) .. inlines
 end
 
+--- A path of lines by the steps from point to point, in hundredths as before, which are shorter.
+local function relative(path)
+  local function brief(hundredths)
+    return (string.format("%.2f", hundredths / 100):gsub("%.?0+$", ""):gsub("^(-?)0%.", "%1."))
+  end
+  local steps, x, y = {}, 0, 0
+  for command, to_x, to_y in path:gmatch("([ML]?)%s*(-?[%d%.]+),(-?[%d%.]+)") do
+    to_x, to_y = math.floor(100 * to_x + 0.5), math.floor(100 * to_y + 0.5)
+    table.insert(steps, (command == "M" and "m" or "") .. brief(to_x - x) .. "," .. brief(to_y - y))
+    x, y = to_x, to_y
+  end
+  return table.concat(steps, " ")
+end
+
+--- The drawing without marks that it does not use and without spaces between its parts, its paths by
+--- steps.
+local function shortened(svg)
+  svg = svg:gsub("<filter.-</filter>", function(filter)
+    return svg:find("url(#" .. filter:match("id='([^']*)'") .. ")", 1, true) and filter or ""
+  end)
+  for _ = 1, 3 do -- a mark may use another
+    svg = svg:gsub("<%a+[^>]*%sid='(gpPt%d+)'[^>]*/>", function(mark)
+      return not svg:find("#" .. mark .. "['\"]") and "" or nil
+    end)
+  end
+  return (svg:gsub("%sd='(M[%d%.,%sML-]*)'", function(path) return " d='" .. relative(path) .. "'" end)
+    :gsub('<tspan font%-family="sans%-serif" >', "<tspan>"):gsub(">%s*\n%s*<", "><")
+    :gsub("<g [^>]*></g>", ""))
+end
+
 --- A figure's SVG as part of the page: ids of its own, the page's colours, a text for those who do
 --- not see it. A colour #rrggbb becomes the variable --ink-rrggbb where the style sheet has one.
 local function inline_svg(svg, name, alternative)
+  svg = shortened(svg)
   local function colour(hex)
     hex = hex:lower()
     if hex == "000000" then return "currentColor" end
