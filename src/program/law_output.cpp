@@ -1,4 +1,4 @@
-// Tangled from paper/22-creep-curve.md; edit there.
+// Tangled from paper/22-creep-curve.md, paper/C-output.md; edit there.
 #include "program/law_output.hpp"
 
 #include <algorithm>
@@ -11,6 +11,40 @@
 
 namespace thermoroll {
 namespace {
+
+/// The creep at z, which has the sign of the creep, and back.
+double creep_at(const CreepLaw& law, double z) {
+  const double size = std::abs(z), unit = (z < 0 ? law.braking : law.driving).unit_creep;
+  return std::copysign(size <= 1 ? unit * size * size : unit / (2 - size), z);
+}
+
+double z_of(const CreepLaw& law, double creep) {
+  const double share = std::abs(creep) / (creep < 0 ? law.braking : law.driving).unit_creep;
+  return std::copysign(share <= 1 ? std::sqrt(share) : 2 - 1 / share, creep);
+}
+
+struct WayAlong {
+  std::vector<double> creep, way;
+};
+
+WayAlong way_along(const CreepLaw& law, const CurveRange& range, double friction) {
+  const double width = range.to - range.from, first = z_of(law, range.from);
+  const int many = 20 * range.points;
+  const double apart = (z_of(law, range.to) - first) / many;
+  WayAlong x{{range.from}, {0}};
+  LawValue last = evaluate(law, range.from).value_or(LawValue{});
+  const auto angle = [&](const LawValue& at) { return std::atan(at.slope * width / friction); };
+  for (int i = 1; i <= many; ++i) {
+    const double creep = i == many ? range.to : creep_at(law, first + i * apart);
+    const LawValue now = evaluate(law, creep).value_or(last);
+    x.way.push_back(x.way.back() + (creep - x.creep.back()) / width +
+                    std::abs(now.traction - last.traction) / friction +
+                    std::abs(angle(now) - angle(last)));
+    x.creep.push_back(creep);
+    last = now;
+  }
+  return x;
+}
 
 struct LawTable {
   const char* name;
@@ -99,7 +133,7 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   double by_x, unused;
   const double q = series(traction_terms + 9 * k, x, &by_x);
   const double t = series(temperature_terms + 9 * k, x, &unused);
-  const int sticks = to_z[k] <= 1;
+  const int sticks = from_z[k] < 1;
   *traction = traction_unit * sign * q * (sticks ? size : 1);
   *slope = traction_unit / creep_unit *
            (sticks ? q + z * per_z * by_x / 2 : unit / size / size * per_z * by_x);
@@ -142,7 +176,7 @@ def creep_law(creep):
     x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
     q, by_x = series(traction_terms[9 * k:9 * k + 9], x)
     t, _ = series(temperature_terms[9 * k:9 * k + 9], x)
-    if to_z[k] <= 1:
+    if from_z[k] < 1:
         q, slope = size * q, q + z * per_z * by_x / 2
     else:
         slope, t = unit / size / size * per_z * by_x, t * size / unit
@@ -186,7 +220,7 @@ algorithm
     by_x := b[1] + x * d[1] - d_before[1];
 )";
 
-constexpr const char* modelica_end = R"(    if to_z[k] <= 1 then
+constexpr const char* modelica_end = R"(    if from_z[k] < 1 then
       traction := traction_unit * sign * size * q;
       slope := traction_unit / creep_unit * (q + z * per_z * by_x / 2);
       temperature := temperature_unit * t;
@@ -226,55 +260,11 @@ std::string in_json(const CreepLaw& law, const LawUnits& unit, const Scene& scen
   return o.dump(1) + '\n';
 }
 
-/// The creep at z, which has the sign of the creep, and back.
-double creep_at(const CreepLaw& law, double z) {
-  const double size = std::abs(z), unit = (z < 0 ? law.braking : law.driving).unit_creep;
-  return std::copysign(size <= 1 ? unit * size * size : unit / (2 - size), z);
-}
-
-double z_of(const CreepLaw& law, double creep) {
-  const double share = std::abs(creep) / (creep < 0 ? law.braking : law.driving).unit_creep;
-  return std::copysign(share <= 1 ? std::sqrt(share) : 2 - 1 / share, creep);
-}
-
-struct WayAlong {
-  std::vector<double> creep, way;
-};
-
-WayAlong way_along(const CreepLaw& law, const CurveRange& range, double friction) {
-  const double width = range.to - range.from, first = z_of(law, range.from);
-  const int many = 20 * range.points;
-  const double apart = (z_of(law, range.to) - first) / many;
-  WayAlong x{{range.from}, {0}};
-  LawValue last = evaluate(law, range.from).value_or(LawValue{});
-  const auto angle = [&](const LawValue& at) { return std::atan(at.slope * width / friction); };
-  for (int i = 1; i <= many; ++i) {
-    const double creep = i == many ? range.to : creep_at(law, first + i * apart);
-    const LawValue now = evaluate(law, creep).value_or(last);
-    x.way.push_back(x.way.back() + (creep - x.creep.back()) / width +
-                    std::abs(now.traction - last.traction) / friction +
-                    std::abs(angle(now) - angle(last)));
-    x.creep.push_back(creep);
-    last = now;
-  }
-  return x;
-}
-
 }  // namespace
 
 LawUnits law_units(const PhysicalScene& si, double friction) {
   const Units unit = units_of(si, friction);
   return {unit.slip / si.speed, si.load, unit.temperature, si.speed, si.bulk_temperature};
-}
-
-std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
-                     Language language) {
-  const LawUnits unit = units.value_or(LawUnits{});
-  const auto comment = [&](const char* mark) { return told(law, scene, units, mark); };
-  if (language == Language::c) return in_c(law, unit, comment("// "));
-  if (language == Language::python) return in_python(law, unit, comment("# "));
-  if (language == Language::modelica) return in_modelica(law, unit, comment("// "));
-  return in_json(law, unit, scene);
 }
 
 std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, double friction) {
@@ -318,6 +308,16 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
     text += '\n';
   }
   return text;
+}
+
+std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
+                     Language language) {
+  const LawUnits unit = units.value_or(LawUnits{});
+  const auto comment = [&](const char* mark) { return told(law, scene, units, mark); };
+  if (language == Language::c) return in_c(law, unit, comment("// "));
+  if (language == Language::python) return in_python(law, unit, comment("# "));
+  if (language == Language::modelica) return in_modelica(law, unit, comment("// "));
+  return in_json(law, unit, scene);
 }
 
 }  // namespace thermoroll

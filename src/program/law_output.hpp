@@ -1,4 +1,4 @@
-// Tangled from paper/22-creep-curve.md; edit there.
+// Tangled from paper/22-creep-curve.md, paper/C-output.md; edit there.
 #pragma once
 
 #include <optional>

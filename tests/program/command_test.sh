@@ -1390,7 +1390,7 @@ def law(creep):
     angle = math.acos(max(-1, min(1, 2 * (z - a) / (b - a) - 1)))
     q, t = (sum(c * math.cos(j * angle) for j, c in enumerate(o[key][9 * k:9 * k + 9]))
             for key in ("traction_terms", "temperature_terms"))
-    if b <= 1:
+    if a < 1:
         q *= size
     else:
         t *= size / unit

@@ -45,9 +45,10 @@ struct LawValue {
 };
 
 /// The law of a scene, for both directions, whatever its own is. The stated errors are below the
-/// tolerance, from 1e-7 to 1e-2: that of T* relative to T* at unit_creep. A finite reach is the
-/// creep up to which full slip is asked for, by size. Throws std::invalid_argument for data out of
-/// range, NotResolved where the tolerance is met nowhere.
+/// tolerance, from 1e-7 to 1e-2, or ten times that where a law of friction has a kink: that of T*
+/// relative to T* at unit_creep. A finite reach is the creep up to which full slip is asked for, by
+/// size. Throws std::invalid_argument for data out of range, NotResolved where the tolerance is met
+/// nowhere.
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
                    double reach = std::numeric_limits<double>::infinity());
 
