@@ -1,0 +1,301 @@
+// Tangled from paper/23-unlike-exchange.md; edit there.
+#include "solver/exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "solver/graded_rule.hpp"
+
+namespace thermoroll {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Both bodies as @eq:exchange and @eq:exchange-terms see them.
+struct ExchangingPair {
+  double peclet, peclet_2, ratio, share;       // ratio = K1 / K2, share = omega
+  double slope, slope_2, strain, strain_2;     // factors of N1 and of N2
+};
+
+ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
+  const Roller& roller = scene.roller;
+  const double peclet_2 = roller.peclet > 0 ? roller.peclet : scene.peclet;
+  const double d1 = scene.friction * scene.peclet * scene.heating;
+  const double d2 = scene.friction * peclet_2 * roller.heating;
+  const double outward = -slope_sign(formulation), along = sign_of(scene.direction) / pi;
+  return {scene.peclet, peclet_2,      1 / roller.conductivity_ratio, heat_share(scene),
+          outward * d1, -outward * d2, along * d1,                    along * d2};
+}
+
+/// The map of a zone: its length, the fineness of the stick zone's exponential (zero on the slip
+/// zone, which has the cubic), and whether it has both edges.
+struct ZoneMap {
+  double length, fine;
+  bool two_edges;
+  bool slips() const { return fine == 0; }
+  double growth() const { return std::log1p(1 / fine); }
+};
+
+ZoneMap slip_map(const ZoneLengths& at) { return {at.slip, 0, at.stick == 0}; }
+
+ZoneMap stick_map(const ZoneLengths& at) {
+  return {at.stick, std::min(1.0, std::sqrt(at.slip / at.stick)), false};
+}
+
+/// u, v = 1 - u and du/dx.
+struct ZonePoints {
+  GradedArray u, v, du;
+};
+
+ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
+  if (zone.slips()) return {slip_cubic(left), slip_cubic(right), (3 + 12 * left * right) / 22};
+  const double half = zone.growth() / 2;
+  const GradedArray u = zone.fine * (half * left).expm1();
+  return {u, -(1 + zone.fine) * (-half * right).expm1(), half * (u + zone.fine)};
+}
+
+/// dt / sqrt(1 - t), or with both edges dt / sqrt(t (1 - t)), over du.
+GradedArray edge_measure(const ZoneMap& zone, const ZonePoints& at) {
+  const GradedArray measure = 6 / (1 + 2 * at.u).sqrt();
+  if (zone.two_edges) return measure / (1 + 2 * at.v).sqrt();
+  return measure * at.u;
+}
+
+/// The distances 1 + x and 1 - x of a target inside, or 0 and 2 (2 and 0) where it lies before the
+/// border (beyond the edge) at a gap.
+struct Target {
+  double left, right, gap;
+};
+
+/// Places x, distances from the target, weights of a(x) and of h; whether it looks upstream.
+struct Ray {
+  GradedArray x, apart, exchanged, heat;
+  bool upstream;
+};
+
+/// The ray from a target towards the edge (side = 1) or the border (-1).
+Ray cast_ray(const ZoneMap& zone, double peclet, const Target& from, int side,
+             const GaussLegendre& rule) {
+  const GradedArray left = GradedArray::Constant(1, from.left);
+  const GradedArray right = GradedArray::Constant(1, from.right);
+  const ZonePoints at = zone_points(zone, left, right);
+  const double u = at.u[0], v = at.v[0], du = at.du[0], speed = peclet * zone.length;
+  const double at_end = std::sqrt((1 / speed + from.gap / zone.length) / 3) / du;
+  const double delta = 6 * std::min(at_end, 1 / (speed * 6 * u * v * du));
+  const double k = std::log1p((side > 0 ? from.right : from.left) / delta);
+  const GradedArray power = k * rule.cube, step = delta * power.expm1();
+  const GradedArray dx = 1.5 * k * rule.w * rule.rho.square() * (step + delta);
+  const double middle = (from.left - from.right) / 2;
+  Ray ray{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
+  const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
+  GradedArray far = step * (15 - 4 * (middle * (middle + ray.x) + ray.x.square())) / 22;
+  if (!zone.slips()) far = side * (u + zone.fine) * (side * zone.growth() / 2 * step).expm1();
+  const auto near_border = to.u + u < 1;
+  const GradedArray sum = near_border.select(to.u + u, to.v + v);
+  const GradedArray product = near_border.select(to.u * u, to.v * v);
+  ray.apart = from.gap + zone.length * far * (3 * sum - 2 * (sum.square() - product));
+  const GradedArray omega = ((1 + 2 * to.u) * (1 + 2 * to.v)).sqrt();
+  const GradedArray along = zone.length * to.du * dx;
+  const double heated = zone.slips() ? 6 * zone.length : 0;
+  ray.exchanged = edge_measure(zone, to) * along;
+  ray.heat = heated * along * (to.u * to.v).square() * omega;
+  return ray;
+}
+
+/// A row for each target. The first four have a column for each coefficient of E, slip zone first:
+/// pi times the left side of @eq:exchange and T*, slope and strain; the last one, for each term of
+/// h, is pi times the right side.
+struct ExchangeRows {
+  ExchangeRows(Index targets, Index coefficients, Index terms)
+      : jump(MatrixXd::Zero(targets, coefficients)),
+        temperature(jump),
+        slope(jump),
+        strain(jump),
+        heat(MatrixXd::Zero(targets, terms)) {}
+  MatrixXd jump, temperature, slope, strain, heat;
+};
+
+KernelWeights exchange_weights(const ExchangingPair& pair, const Ray& ray) {
+  const std::vector<Kernels> first = at_distances(pair.peclet * ray.apart);
+  const bool alike = pair.peclet == pair.peclet_2;
+  const std::vector<Kernels> second = alike ? first : at_distances(pair.peclet_2 * ray.apart);
+  KernelWeights weights(ray.x.size(), node_weights);
+  for (Index i = 0; i < ray.x.size(); ++i) {
+    const Kernels &k1 = first[static_cast<std::size_t>(i)], &k2 = second[static_cast<std::size_t>(i)];
+    const double flux = ray.exchanged[i], twice = ray.upstream ? -2 * ray.apart[i] : 0;
+    const double m1 = k1.m_down * std::exp(twice * pair.peclet);
+    const double m2 = k2.m_down * std::exp(twice * pair.peclet_2);
+    const double slope = ray.upstream ? pair.slope * k1.n1 + pair.slope_2 * k2.n1 : 0;
+    const double strain = ray.upstream ? pair.strain * k1.n2_up + pair.strain_2 * k2.n2_up
+                                       : pair.strain * k1.n2_down + pair.strain_2 * k2.n2_down;
+    weights.row(i) << flux * (m1 + pair.ratio * m2), flux * m1, flux * slope, flux * strain,
+        ray.heat[i] * pair.share * (m2 - m1);
+  }
+  return weights;
+}
+
+/// Add the rays of a zone, whose coefficients begin at this column, to the row of a target.
+void add_zone(const ExchangingPair& pair, const ZoneMap& zone, const Target& target, Index row,
+              Index column, const GaussLegendre& rule, Sums& sums, ExchangeRows& rows) {
+  const double fastest = std::max(pair.peclet, pair.peclet_2);
+  for (const int side : {1, -1}) {
+    if ((side > 0 ? target.right : target.left) == 0) continue;
+    const Ray ray = cast_ray(zone, fastest, target, side, rule);
+    legendre_sums(ray.x, exchange_weights(pair, ray), sums);
+    const auto add = [&](Index sum, MatrixXd& to) {
+      to.row(row).segment(column, sums.cols()) += sums.row(sum);
+    };
+    add(0, rows.jump);
+    add(1, rows.temperature);
+    add(2, rows.slope);
+    add(3, rows.strain);
+    if (zone.slips()) rows.heat.row(row) += sums.row(4).head(rows.heat.cols());
+  }
+}
+
+ExchangeRows exchange_rows(const ExchangingPair& pair, const Nodes& z, const GaussLegendre& stick,
+                           Index terms, const GaussLegendre& rule) {
+  const Index n = z.y.size(), m = z.d.size();
+  const ZoneMap slips = slip_map(z.zones), sticks = stick_map(z.zones);
+  ExchangeRows rows(n + m, n + m, terms);
+  Sums of_slip(node_weights, n), of_stick(node_weights, m);
+  for (Index i = 0; i < n; ++i) {
+    add_zone(pair, slips, {1 + z.y(i), 1 - z.y(i), 0}, i, 0, rule, of_slip, rows);
+    if (m == 0) continue;
+    add_zone(pair, sticks, {0, 2, z.zones.slip * z.t(i)}, i, n, rule, of_stick, rows);
+  }
+  for (Index j = 0; j < m; ++j) {
+    const double x = stick.x(j);
+    add_zone(pair, slips, {0, 2, z.d(j)}, n + j, 0, rule, of_slip, rows);
+    add_zone(pair, sticks, {1 + x, 1 - x, 0}, n + j, n, rule, of_stick, rows);
+  }
+  return rows;
+}
+
+MatrixXd slopes_at_nodes(const Nodes& z, const GaussLegendre& rule) {
+  VectorXd dy_ds(z.y.size());
+  for (Index i = 0; i < dy_ds.size(); ++i) {
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
+    dy_ds(i) = 1 / (z.zones.slip * 6 * at.u * at.v * at.du);
+  }
+  return dy_ds.asDiagonal() * by_derivatives(rule.p) * to_legendre(rule);
+}
+
+RowVectorXd flux_integral(const ZoneMap& zone, const GaussLegendre& rule) {
+  const ZonePoints at = zone_points(zone, 1 + rule.x, 1 - rule.x);
+  const VectorXd weights = zone.length * edge_measure(zone, at) * at.du * rule.w;
+  return weights.transpose() * rule.p;
+}
+
+RowVectorXd flux_integrals(const Nodes& z, const GridRules& rules) {
+  const Index n = z.y.size(), m = z.d.size();
+  RowVectorXd both(n + m);
+  both.head(n) = flux_integral(slip_map(z.zones), rules.slip);
+  if (m > 0) both.tail(m) = flux_integral(stick_map(z.zones), rules.stick);
+  return both;
+}
+
+/// The target at this distance from the border, negative before it.
+Target seen_from(const ZoneMap& zone, double from_border) {
+  const double t = from_border / zone.length;
+  if (t <= 0) return {0, 2, -from_border};
+  if (t >= 1) return {2, 0, from_border - zone.length};
+  const double share = std::min(t, 1 - t), near = distance_of_share(share);
+  if (zone.slips()) return t < 0.5 ? Target{near, 2 - near, 0} : Target{2 - near, near, 0};
+  const double u = slip_cubic(near), scale = 2 / zone.growth();
+  const double left = scale * std::log1p(u / zone.fine);
+  const double right = -scale * std::log1p(-u / (1 + zone.fine));
+  return t < 0.5 ? Target{left, 2 - left, 0} : Target{2 - right, right, 0};
+}
+
+double flux_on(const ZoneMap& zone, double from_border, const VectorXd& series) {
+  const Target at = seen_from(zone, from_border);
+  const double t = from_border / zone.length, root = zone.two_edges ? t * (1 - t) : 1 - t;
+  const ArrayXd x = ArrayXd::Constant(1, (at.left - at.right) / 2);
+  return legendre(x, series.size()).row(0).dot(series) / std::sqrt(root);
+}
+
+double temperature_by(const ZoneMap& zone, double peclet, const Target& target,
+                      const VectorXd& series_of_zone, const GaussLegendre& rule) {
+  double sum = 0;
+  for (const int side : {1, -1}) {
+    if ((side > 0 ? target.right : target.left) == 0) continue;
+    const Ray ray = cast_ray(zone, peclet, target, side, rule);
+    const GradedArray flux = ray.exchanged * series(1, ray.x, series_of_zone);
+    const std::vector<Kernels> kernels = at_distances(peclet * ray.apart);
+    for (Index i = 0; i < flux.size(); ++i) {
+      const double before = ray.upstream ? std::exp(-2 * peclet * ray.apart[i]) : 1;
+      sum += kernels[static_cast<std::size_t>(i)].m_down * before * flux[i];
+    }
+  }
+  return sum / pi;
+}
+
+}  // namespace
+
+Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
+                  const GridRules& rules, Index terms) {
+  const ExchangingPair pair = exchanging_pair(scene, formulation);
+  const Index n = z.y.size(), m = z.d.size();
+  const double fastest = std::max(pair.peclet, pair.peclet_2) * std::max(z.zones.slip, 1.0);
+  const double more = 8 + 5 * decades_beyond(fastest);
+  const auto nodes = static_cast<int>(static_cast<double>(std::max(n, m)) + more);
+  const ExchangeRows rows = exchange_rows(pair, z, rules.stick, terms, rounded_up(4, nodes));
+  MatrixXd right(n + m, terms + 1);
+  right << rows.heat, VectorXd::Constant(n + m, pi);
+  Exchange x;
+  x.series = rows.jump.partialPivLu().solve(right);
+  x.temperature = rows.temperature * x.series / pi;
+  x.thermal.f = rows.slope * x.series;
+  x.thermal.g = scene.friction * x.thermal.f + rows.strain * x.series;
+  x.thermal.df = slopes_at_nodes(z, rules.slip) * x.thermal.f.topRows(n);
+  x.heat = flux_integrals(z, rules) * x.series;
+  const Index last = m > 0 ? m : n;
+  const MatrixXd at_edge = legendre(ArrayXd::Constant(1, m > 0 ? 1 : -1), last);
+  x.edge = std::sqrt(m > 0 ? z.zones.stick : 2) * at_edge * x.series.bottomRows(last);
+  return x;
+}
+
+ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const VectorXd& h,
+                             double bulk_difference) {
+  VectorXd both(x.series.cols());
+  both << h, bulk_difference;
+  const VectorXd series = x.series * both;
+  return {z.zones, series.head(z.y.size()), series.tail(z.d.size())};
+}
+
+ArrayXd flux_at(const ExchangedFlux& x, const ArrayXd& s) {
+  const double c0 = x.at.c0();
+  ArrayXd flux = ArrayXd::Zero(s.size());
+  for (Index i = 0; i < s.size(); ++i) {
+    if (!(-1 < s(i) && s(i) < 1)) continue;
+    const bool slips = s(i) > c0;
+    flux(i) = slips ? flux_on(slip_map(x.at), s(i) - c0, x.slip)
+                    : flux_on(stick_map(x.at), c0 - s(i), x.stick);
+  }
+  return flux;
+}
+
+ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const ArrayXd& s,
+                       const GaussLegendre& rule) {
+  const double c0 = x.at.c0();
+  ArrayXd temperature(s.size());
+  for (Index i = 0; i < s.size(); ++i) {
+    const ZoneMap slips = slip_map(x.at), sticks = stick_map(x.at);
+    temperature(i) = temperature_by(slips, peclet, seen_from(slips, s(i) - c0), x.slip, rule);
+    if (x.stick.size() > 0)
+      temperature(i) +=
+          temperature_by(sticks, peclet, seen_from(sticks, c0 - s(i)), x.stick, rule);
+  }
+  return temperature;
+}
+
+}  // namespace thermoroll

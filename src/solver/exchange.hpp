@@ -1,0 +1,47 @@
+// Tangled from paper/23-unlike-exchange.md; edit there.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solver/nodes.hpp"
+#include "solver/thermal_terms.hpp"
+#include "thermoroll/kernels.hpp"
+#include "thermoroll/scene.hpp"
+
+namespace thermoroll {
+
+/// What crosses the contact, on n slip nodes and m stick nodes. All matrices have a column for each
+/// term of h, and a last one for the bulk difference.
+struct Exchange {
+  Eigen::MatrixXd series;       // coefficients of @eq:exchange-series, n and then m
+  ThermalTerms thermal;         // what it adds to the terms of the uniform share
+  Eigen::MatrixXd temperature;  // what it adds to T* at the n, then the m nodes
+  Eigen::RowVectorXd heat;      // the integral of E over the contact
+  Eigen::RowVectorXd edge;      // C of E = C / sqrt(1 + s) + ... at the leading edge
+};
+
+/// Solve @eq:exchange for two bodies that conduct, on the nodes of a grid and by its rules, for an h
+/// of so many terms, at most as many as there are slip nodes; with none only the column of the bulk
+/// difference is left.
+Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
+                  const GridRules& rules, Eigen::Index terms);
+
+/// E of @eq:exchange-series: the coefficients on both zones.
+struct ExchangedFlux {
+  ZoneLengths at;
+  Eigen::VectorXd slip, stick;
+};
+
+/// For the coefficients of h and a bulk difference (Tb2 - Tb1 in units of T*).
+ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const Eigen::VectorXd& h,
+                             double bulk_difference);
+
+/// E at every s; zero outside of the contact.
+Eigen::ArrayXd flux_at(const ExchangedFlux& x, const Eigen::ArrayXd& s);
+
+/// The integral of M(Pe (t - s)) E / pi at every s of the surface; a rule of a multiple of eight
+/// nodes.
+Eigen::ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const Eigen::ArrayXd& s,
+                              const GaussLegendre& rule);
+
+}  // namespace thermoroll
