@@ -17,6 +17,14 @@ using Eigen::Infinity;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// G at the stick nodes.
+ArrayXd strain_on_stick(const ContactGrid& grid, const VectorXd& h) {
+  const Index m = grid.nodes.d.size();
+  ArrayXd g = grid.thermal.g.bottomRows(m) * h;
+  if (grid.thermal.bulk_g.size() > 0) g += grid.thermal.bulk_g.tail(m).array();
+  return g;
+}
+
 /// At the slip nodes: p-hat, phi and its derivative, v-hat, for a share of the heating.
 struct LawAtNodes {
   ArrayXd pressure, phi, slope, slip;
@@ -25,7 +33,8 @@ struct LawAtNodes {
 
 LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
-  const ArrayXd temperature = share * (grid.hot->temperature.topRows(x.p.rows()) * h).array();
+  ArrayXd temperature = share * (grid.hot->temperature.topRows(x.p.rows()) * h).array();
+  if (grid.hot->bulk.size() > 0) temperature += grid.hot->bulk.head(x.p.rows());
   LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}, {}, {}};
   for (Index i = 0; i < temperature.size(); ++i) {
     const RelativeFriction friction = grid.scene.law(temperature(i));
@@ -111,7 +120,8 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const ArrayXd& 
   const Nodes& z = grid.nodes;
   const LawAtNodes at = law_at_nodes(grid, 1, h);
   const ArrayXd lost = (1 - at.phi) * at.pressure;
-  const ArrayXd temperature = grid.hot->temperature.bottomRows(z.d.size()) * h;
+  ArrayXd temperature = grid.hot->temperature.bottomRows(z.d.size()) * h;
+  if (grid.hot->bulk.size() > 0) temperature += grid.hot->bulk.tail(z.d.size());
   ArrayXd phi(z.d.size());
   for (Index i = 0; i < phi.size(); ++i) {
     phi(i) = grid.scene.law(temperature(i)).value;
@@ -126,7 +136,8 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   const Index n = z.y.size(), m = z.d.size();
   VectorXd position(n + m);
   position << z.s, z.r;
-  TractionOperators tractions{2 / pi, ArrayXd::Constant(n, 2 * friction / pi), {}, {}, {}, {}};
+  TractionOperators tractions{
+      ArrayXd::Constant(n, 2 / pi), ArrayXd::Constant(n, 2 * friction / pi), {}, {}, {}, {}};
   tractions.gamma0 = z.over_root.transpose() * thermal.f / pi;
   tractions.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
   MatrixXd in_p(n, n + m), in_v(n, m);
@@ -148,6 +159,14 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   tractions.v.noalias() += in_v * thermal.g.bottomRows(m);
   tractions.p = (tractions.p.rowwise() + 2 * tractions.kappa) / pi;
   tractions.v = (tractions.v.rowwise() + 2 * friction * tractions.kappa) / pi;
+  if (thermal.bulk_f.size() > 0) {
+    const ThermalTerms bulk{thermal.bulk_f, thermal.bulk_df, thermal.bulk_g};
+    const TractionOperators more = traction_operators(z, bulk, friction);
+    tractions.p0 += more.p.col(0).array();
+    tractions.v0 += more.v.col(0).array();
+    tractions.bulk_kappa = more.kappa(0);
+    tractions.bulk_gamma0 = more.gamma0(0);
+  }
   return tractions;
 }
 
@@ -176,13 +195,13 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 Resultants resultants(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
   const double f = grid.scene.friction, a0 = z.zones.stick / 2;
-  const double more = grid.tractions.kappa.dot(h), kappa = 1 + more;
-  const double gamma0 = grid.tractions.gamma0.dot(h);
+  const double more = grid.tractions.kappa.dot(h) + grid.tractions.bulk_kappa, kappa = 1 + more;
+  const double gamma0 = grid.tractions.gamma0.dot(h) + grid.tractions.bulk_gamma0;
   const Lost lost_to_heat = grid.hot ? lost_friction(grid, h) : Lost{0, 0};
   if (z.zones.stick == 0)  // full slip
     return {kappa, gamma0, grid.creep + f * gamma0, f - lost_to_heat.traction};
   const double lost = (1 + a0) * z.zones.slip / 2 - more * a0 * a0;  // 1 - kappa a0^2
-  const ArrayXd g = (grid.thermal.g.bottomRows(z.d.size()) * h).array() * z.over_w;
+  const ArrayXd g = strain_on_stick(grid, h) * z.over_w;
   return {kappa, gamma0, g.sum() / pi + f * kappa / pi * z.zones.slip - lost_to_heat.constant,
           f * lost + ((a0 - z.d) * g).sum() - lost_to_heat.traction};
 }
@@ -246,8 +265,10 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
   const TractionOperators& tractions = grid.tractions;
   const Index n = z.y.size(), m = z.d.size();
-  const double friction = grid.scene.friction, kappa = 1 + tractions.kappa.dot(h);
-  const ArrayXd f = grid.thermal.f * h, g = grid.thermal.g.bottomRows(m) * h;
+  const double friction = grid.scene.friction;
+  const double kappa = 1 + (tractions.kappa.dot(h) + tractions.bulk_kappa);
+  ArrayXd f = grid.thermal.f * h, g = strain_on_stick(grid, h);
+  if (grid.thermal.bulk_f.size() > 0) f += grid.thermal.bulk_f.array();
   const GaussLegendre& stick = grid.rules.stick;
   const ArrayXd dx_dr = -stick.w / (z.over_w * (z.d * (z.zones.stick - z.d)).sqrt());
   const MatrixXd to = to_legendre(stick), slopes = by_derivatives(stick.p);

@@ -14,13 +14,13 @@
 
 namespace thermoroll {
 
-/// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa = 1 + kappa h, gamma0 = gamma0
-/// h. The matrices have n rows and a column for each term of h.
+/// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa = 1 + bulk_kappa + kappa h and
+/// gamma0 = bulk_gamma0 + gamma0 h. The matrices have n rows and a column for each term of h.
 struct TractionOperators {
-  double p0;          // Hertz's 2 / pi
-  Eigen::ArrayXd v0;  // Carter's 2 f / pi
+  Eigen::ArrayXd p0, v0;  // Hertz's 2 / pi and Carter's 2 f / pi, and what a bulk difference adds
   Eigen::MatrixXd p, v;
   Eigen::RowVectorXd kappa, gamma0;
+  double bulk_kappa = 0, bulk_gamma0 = 0;
 };
 
 /// These matrices on the nodes of a grid.

@@ -27,11 +27,11 @@ struct ExchangingPair {
 
 ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
   const Roller& roller = scene.roller;
-  const double peclet_2 = roller.peclet > 0 ? roller.peclet : scene.peclet;
+  const double pe_2 = peclet_2(scene);
   const double d1 = scene.friction * scene.peclet * scene.heating;
-  const double d2 = scene.friction * peclet_2 * roller.heating;
+  const double d2 = scene.friction * pe_2 * roller.heating;
   const double outward = -slope_sign(formulation), along = sign_of(scene.direction) / pi;
-  return {scene.peclet, peclet_2,      1 / roller.conductivity_ratio, heat_share(scene),
+  return {scene.peclet, pe_2,          1 / roller.conductivity_ratio, heat_share(scene),
           outward * d1, -outward * d2, along * d1,                    along * d2};
 }
 
@@ -123,10 +123,17 @@ struct ExchangeRows {
   MatrixXd jump, temperature, slope, strain, heat;
 };
 
+std::vector<Kernels> kernels_along(const Ray& ray, double peclet) {
+  const GradedArray zeta = peclet * ray.apart;
+  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
+  fast_kernels(k.size(), zeta.data(), k.data());
+  return k;
+}
+
 KernelWeights exchange_weights(const ExchangingPair& pair, const Ray& ray) {
-  const std::vector<Kernels> first = at_distances(pair.peclet * ray.apart);
+  const std::vector<Kernels> first = kernels_along(ray, pair.peclet);
   const bool alike = pair.peclet == pair.peclet_2;
-  const std::vector<Kernels> second = alike ? first : at_distances(pair.peclet_2 * ray.apart);
+  const std::vector<Kernels> second = alike ? first : kernels_along(ray, pair.peclet_2);
   KernelWeights weights(ray.x.size(), node_weights);
   for (Index i = 0; i < ray.x.size(); ++i) {
     const Kernels &k1 = first[static_cast<std::size_t>(i)], &k2 = second[static_cast<std::size_t>(i)];
@@ -230,7 +237,7 @@ double temperature_by(const ZoneMap& zone, double peclet, const Target& target,
     if ((side > 0 ? target.right : target.left) == 0) continue;
     const Ray ray = cast_ray(zone, peclet, target, side, rule);
     const GradedArray flux = ray.exchanged * series(1, ray.x, series_of_zone);
-    const std::vector<Kernels> kernels = at_distances(peclet * ray.apart);
+    const std::vector<Kernels> kernels = kernels_along(ray, peclet);
     for (Index i = 0; i < flux.size(); ++i) {
       const double before = ray.upstream ? std::exp(-2 * peclet * ray.apart[i]) : 1;
       sum += kernels[static_cast<std::size_t>(i)].m_down * before * flux[i];
@@ -262,6 +269,17 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
   const MatrixXd at_edge = legendre(ArrayXd::Constant(1, m > 0 ? 1 : -1), last);
   x.edge = std::sqrt(m > 0 ? z.zones.stick : 2) * at_edge * x.series.bottomRows(last);
   return x;
+}
+
+void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to) {
+  const Index terms = to.f.cols();
+  to.f += x.thermal.f.leftCols(terms);
+  to.df += x.thermal.df.leftCols(terms);
+  to.g += x.thermal.g.leftCols(terms);
+  if (bulk_difference == 0) return;
+  to.bulk_f = bulk_difference * x.thermal.f.col(terms);
+  to.bulk_df = bulk_difference * x.thermal.df.col(terms);
+  to.bulk_g = bulk_difference * x.thermal.g.col(terms);
 }
 
 ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const VectorXd& h,

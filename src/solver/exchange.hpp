@@ -26,6 +26,9 @@ struct Exchange {
 Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
                   const GridRules& rules, Eigen::Index terms);
 
+/// Add it to the terms of a grid in which both bodies have the uniform share of heat.
+void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to);
+
 /// E of @eq:exchange-series: the coefficients on both zones.
 struct ExchangedFlux {
   ZoneLengths at;

@@ -15,6 +15,7 @@ struct HotFriction {
   Eigen::MatrixXd at_node;      // what the derivative of B at the node itself adds, n x n
   Eigen::ArrayXd weight;        // of the integral in S
   Eigen::ArrayXd moment;        // of that for the traction, @eq:lost-sums
+  Eigen::ArrayXd bulk{};        // what a bulk difference adds to T*, empty without one
 };
 
 /// These matrices on the nodes of a grid, for an h of so many terms.

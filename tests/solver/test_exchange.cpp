@@ -1,0 +1,362 @@
+// The flux that crosses between two conducting bodies, against references, closed forms and its own
+// equation.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solver/contact_grid.hpp"
+#include "solver/exchange.hpp"
+#include "solver/surface.hpp"
+
+using namespace thermoroll;
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Two bodies, and how much warmer the cylinder is.
+struct Bodies {
+  Scene scene;
+  double bulk_difference = 0;
+  double peclet_2() const { return scene.roller.peclet > 0 ? scene.roller.peclet : scene.peclet; }
+  double ratio() const { return 1 / scene.roller.conductivity_ratio; }
+};
+
+/// One body alone with a share of the heat of both. Strains of body 2 have the other sign.
+Scene alone(const Bodies& x, int body) {
+  const double share = heat_share(x.scene);
+  Scene one{x.scene.friction, x.scene.peclet, share * x.scene.heating};
+  one.direction = x.scene.direction;
+  if (body == 1) return one;
+  one.peclet = x.peclet_2();
+  one.heating = (1 - share) * x.scene.roller.heating;
+  one.direction = sign_of(one.direction) > 0 ? Direction::braking : Direction::driving;
+  return one;
+}
+
+/// A solution at a border: the grid, the exchange on it, and the heat.
+struct Found {
+  ContactGrid grid;
+  Exchange crossing;
+  VectorXd h;
+};
+
+Found solve_at(const Bodies& x, const ZoneLengths& at, int n) {
+  const GridRules rules(n, at);
+  const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
+  const auto terms_of = [&](int body) {
+    return thermal_terms(alone(x, body), Formulation::corrected, nodes, n, rounded_up(4, n + 8));
+  };
+  ThermalTerms both = terms_of(1);
+  const ThermalTerms second = terms_of(2);
+  both.f += second.f;
+  both.df += second.df;
+  both.g += second.g;
+  const Exchange crossing = exchange(x.scene, Formulation::corrected, nodes, rules, n);
+  add_exchange(crossing, x.bulk_difference, both);
+  Found found{{x.scene, rules, nodes, both, traction_operators(nodes, both, x.scene.friction)},
+              crossing,
+              {}};
+  found.h = carter_h(found.grid);
+  EXPECT_GT(solve_flux(found.grid, found.h), 0);
+  return found;
+}
+
+Found solve_at(const Bodies& x, double c0, int n = 40) {
+  return solve_at(x, ZoneLengths{1 - c0, 1 + c0}, n);
+}
+
+double heat_of_friction(const Found& x) {
+  const Nodes& z = x.grid.nodes;
+  return z.zones.slip * z.zones.slip * z.heat.dot(x.grid.rules.slip.p * x.h);
+}
+
+/// The integral of E.
+double heat_that_crosses(const Found& x, double bulk_difference) {
+  return x.crossing.heat.head(x.h.size()).dot(x.h) +
+         x.crossing.heat(x.h.size()) * bulk_difference;
+}
+
+// An independent collocation in numpy, converged to 1e-10: panels of Gauss-Legendre nodes, graded
+// to the ends of both zones, kernels by quadrature. All of them with f = 0.6 at the border -0.1845.
+struct Reference {
+  const char* name;
+  Bodies bodies;
+  double traction, creep, load_ratio, gamma0, heat, heat_1;
+  double flux, temperature;  // into body 1 at s = -0.59225, and T* at s = 0.40775
+};
+const Reference references[] = {
+    {"different diffusivity",
+     {{0.6, 100, 1, {2, 0.7, 20}}},
+     0.4931146464525543,
+     0.21122536022617175,
+     1.0566696021456268,
+     0.03680916862513919,
+     0.1790172859971811,
+     0.09449678871143838,
+     4.046865851435699e-11,
+     0.00459226632945296},
+    {"different, low speed",
+     {{0.6, 2, 1, {2, 0.7, 0.5}}},
+     0.5044965880771926,
+     0.21762049205599818,
+     0.9942395805703041,
+     0.02299044819803738,
+     0.18264737145596993,
+     0.0905927482340755,
+     0.009288888192952175,
+     0.037153296805173555},
+    {"identical, hot body 2",
+     {{0.6, 100, 1, {1, 1, 100}}, 0.01},
+     0.49560623054229025,
+     0.24210048711319768,
+     1.0737276779180023,
+     0.04398279680609208,
+     0.1750202899265444,
+     0.20041851946029382,
+     0.0624759805405048,
+     0.009128203866845905},
+    {"different, hot body 2",
+     {{0.6, 100, 1, {2, 0.7, 20}}, 0.01},
+     0.4863309101749582,
+     0.22732351665675937,
+     1.0182389948776946,
+     0.05307329264403063,
+     0.16975963563726695,
+     0.19636604524706183,
+     0.058994313513897646,
+     0.009131712174527778}};
+
+// Both are converged to a few 1e-9 of numbers of order one; the last case, whose pressure has a
+// logarithm at the edges, is the slowest.
+TEST(Exchange, SolutionsAreIndependentReferences) {
+  for (const Reference& x : references) {
+    SCOPED_TRACE(x.name);
+    const Found found = solve_at(x.bodies, -0.1845, 64);
+    const Resultants sum = resultants(found.grid, found.h);
+    const double heat = heat_of_friction(found);
+    const double heat_1 = heat_share(x.bodies.scene) * heat +
+                          heat_that_crosses(found, x.bodies.bulk_difference);
+    EXPECT_NEAR(sum.traction, x.traction, 1e-8);
+    EXPECT_NEAR(sum.constant - 0.6 * sum.gamma0, x.creep, 1e-8);
+    EXPECT_NEAR(sum.kappa, x.load_ratio, 1e-8);
+    EXPECT_NEAR(sum.gamma0, x.gamma0, 1e-8);
+    EXPECT_NEAR(heat, x.heat, 1e-8);
+    EXPECT_NEAR(heat_1, x.heat_1, 1e-8);
+    const ExchangedFlux e = exchanged_flux(found.crossing, found.grid.nodes, found.h,
+                                           x.bodies.bulk_difference);
+    EXPECT_NEAR(flux_at(e, ArrayXd::Constant(1, -0.59225))(0), x.flux, 1e-8);
+    const ArrayXd place = ArrayXd::Constant(1, 0.40775);
+    const double pe = x.bodies.scene.peclet, share = heat_share(x.bodies.scene);
+    const ArrayXd own = surface_temperature(e.at, pe, found.h, place, gauss_legendre(64));
+    const ArrayXd exchanged = temperature_of(e, pe, place, gauss_legendre(64));
+    EXPECT_NEAR(share * own(0) + exchanged(0), x.temperature, 1e-8);
+  }
+}
+
+Exchange exchange_at(const Scene& scene, const ZoneLengths& at, int n) {
+  const GridRules rules(n, at);
+  return exchange(scene, Formulation::corrected, place_nodes(at, rules.slip, rules.stick), rules,
+                  n);
+}
+
+// With one diffusivity the heat of friction is shared uniformly: the right side of the equation is
+// zero, and so is its solution.
+TEST(Exchange, NothingCrossesBetweenAlikeBodies) {
+  const Exchange x = exchange_at({0.6, 30, 1, {0.4, 2, 30}}, {1.3, 0.7}, 16);
+  EXPECT_EQ(x.series.leftCols(16).cwiseAbs().maxCoeff(), 0);
+  EXPECT_GT(x.series.col(16).cwiseAbs().maxCoeff(), 0.1);
+}
+
+/// E, g and the temperatures of both bodies over their own bulk, on given zones for a given h.
+struct Heated {
+  Heated(const Bodies& bodies, const ZoneLengths& zones, int n, const VectorXd& flux)
+      : x(bodies), at(zones), h(flux) {
+    const GridRules rules(n, at);
+    const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
+    const Exchange crossing = exchange(x.scene, Formulation::corrected, nodes, rules, h.size());
+    e = exchanged_flux(crossing, nodes, h, x.bulk_difference);
+  }
+  ArrayXd of_friction(double peclet, const ArrayXd& s) const {
+    return surface_temperature(at, peclet, h, s, gauss_legendre(96));
+  }
+  ArrayXd of_exchange(double peclet, const ArrayXd& s) const {
+    return temperature_of(e, peclet, s, gauss_legendre(96));
+  }
+  ArrayXd first(const ArrayXd& s) const {
+    const double pe = x.scene.peclet;
+    return heat_share(x.scene) * of_friction(pe, s) + of_exchange(pe, s);
+  }
+  ArrayXd second(const ArrayXd& s) const {
+    const double pe = x.peclet_2(), share = 1 - heat_share(x.scene);
+    return x.ratio() * (share * of_friction(pe, s) - of_exchange(pe, s));
+  }
+  Bodies x;
+  ZoneLengths at;
+  VectorXd h;
+  ExchangedFlux e;
+};
+
+/// Coefficients of some smooth h > 0.
+VectorXd some_heat() {
+  VectorXd h(6);
+  h << 1, 0.3, -0.2, 0.1, 0.03, -0.01;
+  return h;
+}
+
+/// Two random bodies, one warmer by about as much as heat of order one makes them.
+Bodies random_bodies(std::mt19937& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double peclet = std::pow(10, 1.5 + 2 * uniform(generator));
+  const double peclet_2 = peclet * std::pow(10, uniform(generator));
+  const double conductivity_ratio = std::pow(10, uniform(generator));
+  return {{0.5, peclet, 1, {conductivity_ratio, 1, peclet_2}}, uniform(generator) / std::sqrt(peclet)};
+}
+
+// The equation itself, at places which are no nodes, by rays from these places: the temperatures
+// differ by the bulk difference. On sixty nodes the series of E are converged to 1e-6 of themselves
+// for all these speeds, and at the slower half of them to 1e-9.
+TEST(Exchange, BothBodiesAreEquallyHot) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 40; ++i) {
+    const Bodies x = random_bodies(generator);
+    const double c0 = i % 4 == 0 ? -1 : 0.95 * uniform(generator);
+    SCOPED_TRACE(::testing::Message() << x.scene.peclet << " and " << x.peclet_2() << " at " << c0);
+    const Heated heated(x, {1 - c0, 1 + c0}, 60, some_heat());
+    ArrayXd s(12);
+    for (Index k = 0; k < s.size(); ++k) s(k) = 0.999 * uniform(generator);
+    const ArrayXd first = heated.first(s), second = heated.second(s);
+    const double scale = first.abs().maxCoeff() + second.abs().maxCoeff();
+    const double allowed = std::max(x.scene.peclet, x.peclet_2()) < 30 ? 1e-9 : 1e-6;
+    EXPECT_LT((first - second - x.bulk_difference).abs().maxCoeff(), allowed * scale);
+  }
+}
+
+// Far enough ahead of the heat of friction, exp(-2 Pe z) of it, the bodies meet as they do without
+// another end of the contact: at the mean of the bulk temperatures by effusivities, with the flux
+// C / sqrt(1 + s).
+TEST(Exchange, ContactTemperatureIsTheMeanByEffusivities) {
+  const ArrayXd s = ArrayXd::LinSpaced(9, -0.99, -0.3);
+  for (const double ratio : {0.2, 1.0, 3.0})
+    for (const double peclet_2 : {60.0, 200.0, 900.0}) {
+      const Bodies x{{0.6, 200, 1, {ratio, 1, peclet_2}}, 0.02};
+      const Heated heated(x, {0.9, 1.1}, 40, some_heat());
+      const double e = ratio * std::sqrt(peclet_2 / 200);  // e2 / e1
+      const double mean = 0.02 * e / (1 + e);
+      const double c = 0.02 / (std::sqrt(pi / 2) * (1 / std::sqrt(200) + 1 / (ratio * std::sqrt(peclet_2))));
+      const ArrayXd root = (1 + s).sqrt();
+      EXPECT_LT((heated.first(s) - mean).abs().maxCoeff(), 1e-8);
+      EXPECT_LT((flux_at(heated.e, s) * root - c).abs().maxCoeff(), 1e-6 * c);
+    }
+}
+
+// A bulk difference knows of no border: where the zones meet, if they do, its heat is the same, and
+// C is that of the closed form but for what comes upstream from the trailing edge. The next term of
+// the series in 1 / Pe is smaller than 1 / 16 Pe by that factor.
+TEST(Exchange, HeatOfABulkDifference) {
+  for (const double ratio : {1.0, 4.0})
+    for (const double peclet : {10.0, 100.0, 1000.0}) {
+      const Scene scene{0.6, peclet, 1, {ratio, 1}};
+      const double alone = std::sqrt(2 * peclet / pi) * 2 * std::sqrt(2.0) / (1 + 1 / ratio);
+      for (const double c0 : {-1.0, -0.5, 0.3}) {
+        const Exchange x = exchange_at(scene, {1 - c0, 1 + c0}, 60);
+        const double heat = x.heat(60) / alone, c = x.edge(60) * 2 * std::sqrt(2.0) / alone;
+        EXPECT_NEAR(heat, 1 + 1 / (16 * peclet), 0.1 / (peclet * peclet)) << c0;
+        EXPECT_NEAR(c, 1, 1e-7) << c0;
+      }
+    }
+}
+
+// Behind the contact a surface that was held at one temperature cools as the arc sine does, at high
+// speed; along the surface heat spreads over lengths of the order of 1 / Pe.
+TEST(Exchange, WarmsBehindTheContact) {
+  for (const double peclet : {1e3, 1e4}) {
+    const Bodies x{{0.6, peclet, 1, {1, 1}}, 1};
+    const Heated heated(x, {1.2, 0.8}, 60, VectorXd::Zero(1));
+    const ArrayXd s = ArrayXd::LinSpaced(9, 1.2, 6);
+    const ArrayXd cooling = (2 / (1 + s)).sqrt().asin() / pi;  // of Tc = 1 / 2 at the end
+    EXPECT_LT((heated.first(s) - cooling).abs().maxCoeff(), 1 / peclet);
+    EXPECT_LT(heated.first(ArrayXd::Constant(1, -1.01))(0), 1e-6);
+  }
+}
+
+/// The same two bodies with the names exchanged, in the unit of temperature of the other.
+Bodies exchanged(const Bodies& x) {
+  const double ratio = x.scene.roller.conductivity_ratio;
+  const Roller first{1 / ratio, x.scene.heating, x.scene.peclet};
+  Bodies y{{x.scene.friction, x.peclet_2(), x.scene.roller.heating, first},
+           -ratio * x.bulk_difference};
+  y.scene.direction = Direction::braking;
+  return y;
+}
+
+// Driving with bodies 1 and 2 is braking with 2 and 1. The equations are the same, but for roundings
+// and for the quadrature of 1e-9.
+TEST(Exchange, DrivingIsBrakingOfExchangedBodies) {
+  for (const Reference& x : references) {
+    SCOPED_TRACE(x.name);
+    const Found drives = solve_at(x.bodies, 0.2), brakes = solve_at(exchanged(x.bodies), 0.2);
+    const Resultants a = resultants(drives.grid, drives.h);
+    const Resultants b = resultants(brakes.grid, brakes.h);
+    EXPECT_NEAR(a.traction, b.traction, 1e-9);
+    EXPECT_NEAR(a.constant, b.constant, 1e-9);
+    EXPECT_NEAR(a.kappa, b.kappa, 1e-9);
+    EXPECT_NEAR(a.gamma0, b.gamma0, 1e-9);
+    const double to_1 = heat_that_crosses(drives, x.bodies.bulk_difference);
+    EXPECT_NEAR(to_1, -heat_that_crosses(brakes, exchanged(x.bodies).bulk_difference), 1e-8);
+  }
+}
+
+/// The integral of q times the thermal strain, G - f F, over the contact.
+double work_of_strain(const Found& x) {
+  const Nodes& z = x.grid.nodes;
+  const Index n = z.y.size(), m = z.d.size();
+  const Factors all = factors(x.grid, x.h);
+  ArrayXd p(n + m), s(n + m), strain = x.grid.thermal.g * x.h;
+  p << all.pressure.tail(n), all.pressure.head(m).reverse();
+  s << z.s, z.r;
+  strain -= all.friction * (x.grid.thermal.f * x.h).array();
+  if (x.grid.thermal.bulk_g.size() > 0)
+    strain += (x.grid.thermal.bulk_g - all.friction * x.grid.thermal.bulk_f).array();
+  const ArrayXd weight = z.over_root.array() * (1 - s.square());
+  const ArrayXd corrective = z.over_w * z.d * (z.zones.stick - z.d);
+  return all.friction * (weight * p * strain).sum() -
+         (corrective * all.slip.head(m).reverse() * strain.tail(m)).sum();
+}
+
+// The power of the pull is the heat and the work on the thermal strain: f int v p = xi Q - int q Th.
+TEST(Exchange, EnergyBalances) {
+  for (const Reference& x : references) {
+    SCOPED_TRACE(x.name);
+    const Found found = solve_at(x.bodies, -0.1845);
+    const Resultants sum = resultants(found.grid, found.h);
+    const double pull = (sum.constant - 0.6 * sum.gamma0) * sum.traction;
+    EXPECT_NEAR(0.6 * heat_of_friction(found), pull - work_of_strain(found), 1e-8);
+    EXPECT_GT(std::abs(work_of_strain(found)), 1e-4);
+  }
+}
+
+// As K2 -> 0 at a fixed heat capacity body 2 vanishes, with the ratio e of the effusivities. At a
+// fixed diffusivity it does not.
+TEST(Exchange, TheInsulatorIsTheLimitAtFixedHeatCapacity) {
+  const ContactGrid insulated = contact_grid({0.6, 100, 1}, Formulation::corrected, {1.2, 0.8}, 40);
+  VectorXd h = carter_h(insulated);
+  ASSERT_GT(solve_flux(insulated, h), 0);
+  const Resultants limit = resultants(insulated, h);
+  const auto change = [&](double e, double peclet_2) {
+    const Found near = solve_at({{0.6, 100, 1, {e * e, 1, peclet_2}}}, -0.2);
+    return (resultants(near.grid, near.h).traction - limit.traction) / e;
+  };
+  const double first = change(0.1, 100 / 0.01), second = change(0.01, 100 / 1e-4);
+  const double third = change(0.001, 100 / 1e-6);
+  EXPECT_NEAR(first, third, 0.2 * third);
+  EXPECT_NEAR(second, third, 0.02 * third);
+  EXPECT_GT(third, 0.01);
+}
+
+}  // namespace
