@@ -58,6 +58,8 @@ void check(const Scene& scene) {
           "zero or positive");
   require(roller.heating >= 0, "heating-2", roller.heating, "zero or positive");
   require(roller.peclet >= 0, "peclet-2", roller.peclet, "zero or positive");
+  require(scene.bulk_difference == 0 || roller.conductivity_ratio > 0, "bulk-difference",
+          scene.bulk_difference, "0, as the roller is an insulator");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
 }
 

@@ -23,13 +23,14 @@ PairKernels pair_kernels(const Conduction& c, double zeta) {
           k1.m_down * std::exp(-2 * zeta_1) + r(2)};
 }
 
-std::shared_ptr<const PairTable> table_of(const Scene& pair) {
+std::shared_ptr<const PairTable> table_of(const Scene& pair, bool crossing) {
+  if (!crossing) return std::make_shared<const PairTable>(pair, false);
   static thread_local std::array<double, 5> last{};
   static thread_local std::shared_ptr<const PairTable> made;
   const Roller& roller = pair.roller;
   const std::array<double, 5> data{pair.peclet, roller.peclet, pair.heating, roller.heating,
                                    roller.conductivity_ratio};
-  if (!made || data != last) made = std::make_shared<const PairTable>(pair);
+  if (!made || data != last) made = std::make_shared<const PairTable>(pair, true);
   last = data;
   return made;
 }
@@ -43,11 +44,11 @@ double crossing_ahead(const Conduction& c, const Eigen::ArrayXd& distance,
   return crosses / heat.abs().sum();
 }
 
-Conduction::Conduction(const Scene& scene) : peclet(scene.peclet) {
+Conduction::Conduction(const Scene& scene, bool crossing) : peclet(scene.peclet) {
   if (!is_unlike(scene)) return;
   peclet = std::max(scene.peclet, peclet_2(scene));
   slowest = std::min(scene.peclet, peclet_2(scene)) / peclet;
-  pair = table_of(scene);
+  pair = table_of(scene, crossing);
 }
 
 std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta) {

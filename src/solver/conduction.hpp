@@ -16,7 +16,7 @@ namespace thermoroll {
 /// a number alone.
 struct Conduction {
   Conduction(double of) : peclet(of) {}
-  explicit Conduction(const Scene& scene);
+  explicit Conduction(const Scene& scene, bool crossing = true);  // false: the uniform share
   double peclet, slowest = 1;               // Pe, and the smaller one over it
   std::shared_ptr<const PairTable> pair{};  // of unlike bodies
 };

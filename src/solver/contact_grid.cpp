@@ -173,16 +173,25 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          const GridRules& rules, Index terms) {
   const Nodes nodes = place_nodes(zones, rules.slip, rules.stick);
-  const ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, rules.graded);
+  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, rules.graded);
+  std::optional<Exchange> crossing;
+  if (exchanges(scene, zones)) {
+    crossing = exchange(scene, formulation, nodes, rules, terms);
+    add_exchange(*crossing, scene.bulk_difference, thermal);
+  }
   ContactGrid grid{scene, rules, nodes, thermal,
-                   traction_operators(nodes, thermal, scene.friction)};
+                   traction_operators(nodes, thermal, scene.friction), crossing};
   if (scene.law) grid.hot = hot_friction(scene, nodes, rules, terms);
+  if (scene.law && crossing) {
+    grid.hot->temperature += crossing->temperature.leftCols(terms);
+    grid.hot->bulk = scene.bulk_difference * crossing->temperature.col(terms);
+  }
   return grid;
 }
 
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
   if (!is_unlike(scene)) return GridRules(n, zones, scene.peclet);
-  const Conduction conduction(scene);
+  const Conduction conduction(scene, false);
   const auto more = static_cast<int>(8 - 8 * std::log10(conduction.slowest));
   return GridRules(n, zones, conduction.peclet, more);
 }

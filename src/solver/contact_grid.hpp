@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "solver/exchange.hpp"
 #include "solver/hot_friction.hpp"
 #include "solver/nodes.hpp"
 #include "solver/thermal_terms.hpp"
@@ -33,6 +34,7 @@ struct ContactGrid {
   Nodes nodes;
   ThermalTerms thermal;
   TractionOperators tractions;
+  std::optional<Exchange> crossing;  // what crosses between both bodies, where it is solved for
   double creep = 0;                  // given in full slip only
   std::optional<HotFriction> hot{};  // where friction depends on temperature
 };

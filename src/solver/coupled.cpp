@@ -117,7 +117,7 @@ double ahead(const Scene& scene, const GridSolution& level) {
   const GaussLegendre& rule = gauss_legendre(static_cast<int>(level.h.size()));
   const Nodes z = place_nodes(level.at, rule, rule);
   const ArrayXd heat = z.heat.transpose().array() * (rule.p * level.h).array();
-  return crossing_ahead(Conduction(scene), level.at.stick + level.at.slip * z.t, heat);
+  return crossing_ahead(Conduction(scene, !exchanges(scene, level.at)), level.at.stick + level.at.slip * z.t, heat);
 }
 
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
@@ -145,6 +145,7 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
   if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);
+  x.crossing = level.crossing;
   return x;
 }
 
@@ -301,6 +302,12 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
           }};
 }
 
+std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x) {
+  const ContactGrid grid = grid_of(x, x.unknowns);
+  if (!grid.crossing) return std::nullopt;
+  return exchanged_flux(*grid.crossing, grid.nodes, x.h, x.scene.bulk_difference);
+}
+
 Profile profile(const CoupledSolution& x) {
   const ContactGrid grid = grid_of(x, x.unknowns);
   const Nodes& z = grid.nodes;
@@ -317,7 +324,7 @@ Profile profile(const CoupledSolution& x) {
   profile.heat_flux.tail(n) = slip * (z.t * (1 - z.t)).sqrt() * (grid.rules.slip.p * x.h).array();
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
   if (at.phi.size() > 0) profile.slip.tail(n) /= at.phi.tail(n);
-  const Conduction conduction(x.scene);
+  const Conduction conduction(x.scene, !grid.crossing);
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
@@ -325,6 +332,10 @@ Profile profile(const CoupledSolution& x) {
         temperature_and_slope(slip, conduction, x.h, left, 2 - left, gap, grid.rules.fine).value;
   }
   profile.temperature *= heat_share(x.scene);
+  if (grid.crossing) {
+    const ExchangedFlux e = exchanged_flux(*grid.crossing, z, x.h, x.scene.bulk_difference);
+    profile.temperature += temperature_of(e, x.scene.peclet, at.s, grid.rules.fine);
+  }
   return profile;
 }
 

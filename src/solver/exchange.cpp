@@ -282,6 +282,11 @@ void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to) {
   to.bulk_g = bulk_difference * x.thermal.g.col(terms);
 }
 
+bool exchanges(const Scene& scene, const ZoneLengths& at) {
+  if (scene.bulk_difference != 0) return true;
+  return is_unlike(scene) && 2 * std::min(scene.peclet, peclet_2(scene)) * at.stick < 30;
+}
+
 ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const VectorXd& h,
                              double bulk_difference) {
   VectorXd both(x.series.cols());

@@ -22,8 +22,22 @@ Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
   Results value = Results::Zero();
   value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
-      heat_share(grid.scene) * found.peak.value, at.c0() + at.slip * top.t(), 0;
+      heat_share(grid.scene) * found.peak.value - std::abs(grid.scene.bulk_difference),
+      at.c0() + at.slip * top.t(), 0;
   return value;
+}
+
+/// Legendre coefficients of it on the slip zone over the share of the half-space; none if nothing
+/// crosses that is solved for.
+VectorXd temperature_by_exchange(const ContactGrid& grid, const VectorXd& h) {
+  if (!grid.crossing) return {};
+  const Index n = grid.nodes.y.size();
+  const double bulk = grid.scene.bulk_difference;
+  const Eigen::MatrixXd& by = grid.crossing->temperature;
+  const VectorXd values = by.topRows(n).leftCols(h.size()) * h + bulk * by.col(h.size()).head(n);
+  VectorXd series = to_legendre(grid.rules.slip) * values;
+  series(0) += std::abs(bulk);
+  return series / heat_share(grid.scene);
 }
 
 GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
@@ -34,8 +48,15 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.h = carter_h(grid);
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
-  found.peak = find_hottest(at.slip, Conduction(grid.scene), found.h, from.peak, grid.rules.fine);
+  const Conduction conduction(grid.scene, !grid.crossing);
+  found.peak = find_hottest(at.slip, conduction, found.h, from.peak, grid.rules.fine,
+                            temperature_by_exchange(grid, found.h));
   found.value = values_on_grid(grid, found);
+  if (grid.crossing) {
+    VectorXd both(n + 1);
+    both << found.h, grid.scene.bulk_difference;
+    found.crossing = CrossingHeat{grid.crossing->heat * both, grid.crossing->edge * both};
+  }
   found.violations = violations(factors(grid, found.h));
   if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
   return found;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "solver/exchange.hpp"
 #include "solver/surface.hpp"
 #include "thermoroll/coupled.hpp"
 
@@ -18,6 +20,7 @@ struct GridSolution {
   HottestPoint peak{};                  // the hottest point
   int newton_steps = 0;                 // 0 where Newton failed
   std::vector<Violation> violations{};  // where it is no contact
+  std::optional<CrossingHeat> crossing{};  // what crosses between both bodies, if solved for
 };
 
 /// Solve with n unknowns at a border, starting from a coarser grid's solution, or Carter's.
@@ -42,6 +45,9 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
 /// no solution is found.
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope);
+
+/// The flux that crosses between both bodies in a solution, where it is solved for.
+std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x);
 
 /// The solution on a grid of n unknowns, from that of a coarser one.
 using NextGrid = std::function<GridSolution(int n, const GridSolution& last)>;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/exchange.hpp"
 #include "solver/graded_rule.hpp"
 
 namespace thermoroll {
@@ -52,7 +53,7 @@ MatrixXd derivative_at_node(const Nodes& z, const GaussLegendre& rule, const Arr
 MatrixXd temperature_matrix(const Scene& scene, const Nodes& z, const GaussLegendre& rule,
                             Index terms) {
   const Index n = z.y.size(), m = z.d.size();
-  const Conduction conduction(scene);
+  const Conduction conduction(scene, !exchanges(scene, z.zones));
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   MatrixXd t = MatrixXd::Zero(n + m, terms);
   RowVectorXd mirror = RowVectorXd::Ones(terms);

@@ -144,6 +144,7 @@ double place_in(const Cell& cell) {
 }
 
 Remainders PairTable::operator()(double z) const {
+  if (coefficients.empty()) return Remainders::Zero();
   const Cell cell = cell_of(z);
   const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / places;
   if (at >= cells) return all_exponentials(*this, z);
@@ -175,11 +176,12 @@ void add_octave(PairTable& table, const Densities& up, const Densities& down) {
   }
 }
 
-PairTable::PairTable(const Scene& pair)
+PairTable::PairTable(const Scene& pair, bool crossing)
     : peclet(pair.peclet),
       other_peclet(peclet_2(pair)),
       slope_1(peclet * pair.heating),
       slope_2(pair.roller.conductivity_ratio * other_peclet * pair.roller.heating) {
+  if (!crossing) return;
   const double low = 2 * std::min(peclet, other_peclet), high = 2 * std::max(peclet, other_peclet);
   const double k = pair.roller.conductivity_ratio;
   up = upstream_exponentials(low, high, peclet < other_peclet ? k : 1 / k);

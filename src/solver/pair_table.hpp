@@ -20,13 +20,13 @@ using Remainders = Eigen::Matrix<double, 5, 1>;
 using Densities = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 struct PairTable {
-  explicit PairTable(const Scene& pair);
+  PairTable(const Scene& pair, bool crossing);  // without it, both have the uniform share
   Remainders operator()(double z) const;
 
   double peclet, other_peclet, slope_1, slope_2;  // Pe1, Pe2, D1 and kappa D2
   Exponentials up, down;
   Densities up_density, down_density;
-  int first;                             // the number of the first cell
+  int first = 0;                         // the number of the first cell
   std::vector<Remainders> coefficients;  // by cell and power
 };
 

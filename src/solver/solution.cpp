@@ -9,6 +9,7 @@
 
 #include "solver/contact_grid.hpp"
 #include "solver/full_slip.hpp"
+#include "solver/grid_solution.hpp"
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 #include "support/number_text.hpp"
@@ -458,10 +459,12 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
     const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
     const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
-    const SurfaceCurve found = surface_curve(flux, Conduction(x.scene), s, tolerance);
+    const auto crossing = coupled ? crossing_flux(*coupled) : std::nullopt;
+    const SurfaceCurve found = surface_curve(flux, Conduction(x.scene, !crossing), s, tolerance);
+    Eigen::ArrayXd all = share * found.temperature;
+    if (crossing) all += temperature_of(*crossing, x.scene.peclet, s, gauss_legendre(96));
     for (Eigen::Index i = 0; i < s.size(); ++i)
-      curve.points.push_back(
-          {s(i), share * found.temperature(i), share * found.error + flux_error});
+      curve.points.push_back({s(i), all(i), share * found.error + flux_error});
   } else {
     const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
     for (const double s : at) {

@@ -55,13 +55,20 @@ TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduct
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
 }
 
-/// The hottest point by temperatures alone.
-HottestPoint search(double slip, const Conduction& conduction, const VectorXd& h,
-                    const GaussLegendre& rule) {
-  const auto value = [&](double y) {
-    return std::abs(y) < 1 ? temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule).value
-                           : 0;
-  };
+TemperatureAndSlope with_series(TemperatureAndSlope sum, double slip, double y,
+                                const VectorXd& more) {
+  if (more.size() == 0) return sum;
+  const SlipPoint at(1 + y, 1 - y);
+  const auto polynomials = legendre(ArrayXd::Constant(1, y), more.size());
+  sum.value += polynomials.row(0).dot(more);
+  sum.slope += polynomials.row(0).dot(derivative(more)) / (slip * 6 * at.u * at.v * at.du);
+  return sum;
+}
+
+/// The hottest point by temperatures alone, which are asked for by y.
+template <class Temperature>
+HottestPoint search(const Temperature& temperature) {
+  const auto value = [&](double y) { return std::abs(y) < 1 ? temperature(y).value : 0; };
   HottestPoint top{0, 0};
   double apart = 1.0 / 16;
   for (int round = 0; round < 5; ++round, apart /= 8) {
@@ -75,13 +82,17 @@ HottestPoint search(double slip, const Conduction& conduction, const VectorXd& h
 }
 
 HottestPoint find_hottest(double slip, const Conduction& conduction, const VectorXd& h,
-                          const HottestPoint& near, const GaussLegendre& rule) {
+                          const HottestPoint& near, const GaussLegendre& rule,
+                          const VectorXd& more) {
+  const auto temperature = [&](double place) {
+    const auto own = temperature_and_slope(slip, conduction, h, 1 + place, 1 - place, 0, rule);
+    return with_series(own, slip, place, more);
+  };
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
          hottest = 0;
   for (int step = 0;; ++step) {
     const SlipPoint at(1 + y, 1 - y);
-    const TemperatureAndSlope now =
-        temperature_and_slope(slip, conduction, h, 1 + y, 1 - y, 0, rule);
+    const TemperatureAndSlope now = temperature(y);
     const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
     if (step > 0) curvature = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
@@ -89,7 +100,7 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Vecto
     const bool known = step > 0 || near.value > 0;  // the curvature
     hottest = std::max(hottest, now.value);
     if ((known && std::abs(move) < 1e-5) || step == 60) {
-      if (now.value < hottest * (1 - 1e-6)) return search(slip, conduction, h, rule);
+      if (now.value < hottest * (1 - 1e-6)) return search(temperature);
       return {next, now.value * (1 + slope * move / 2), curvature};
     }
     last = y;

@@ -41,9 +41,11 @@ struct HottestPoint {
   double y = 0.43, value = 0, curvature = -3;  // curvature: the second derivative of ln T by y
 };
 
-/// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes.
+/// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes. A Legendre series
+/// in y may be added to T*.
 HottestPoint find_hottest(double slip, const Conduction& conduction, const Eigen::VectorXd& h,
-                          const HottestPoint& near, const GaussLegendre& rule);
+                          const HottestPoint& near, const GaussLegendre& rule,
+                          const Eigen::VectorXd& more = {});
 
 SmoothFlux smooth_flux(const Carter& c);
 SmoothFlux smooth_flux(const CoupledSolution& x);

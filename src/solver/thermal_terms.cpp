@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "solver/exchange.hpp"
 #include "solver/graded_rule.hpp"
 
 namespace thermoroll {
@@ -34,7 +35,7 @@ void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
                            const GaussLegendre& rule) {
   const Index n = z.y.size(), m = z.d.size();
-  const Conduction conduction(scene);
+  const Conduction conduction(scene, !exchanges(scene, z.zones));
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
   ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};

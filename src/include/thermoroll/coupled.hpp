@@ -92,6 +92,12 @@ struct TractionLimit {
   double traction, creep, traction_error, creep_error;
 };
 
+/// What crosses into the half-space besides its uniform share K1 / (K1 + K2) of the heat, and C of
+/// that flux, C / sqrt(1 + s), at the leading edge.
+struct CrossingHeat {
+  double heat, edge;
+};
+
 /// A solution of the coupled problem; dimensionless.
 struct CoupledSolution {
   Scene scene;                        ///< whose heating acts on the tractions
@@ -107,6 +113,7 @@ struct CoupledSolution {
   /// there is one, and the branch.
   std::optional<TractionLimit> limit{};
   std::optional<Branch> branch{};
+  std::optional<CrossingHeat> crossing{};  ///< where it is solved for
 };
 
 /// Put in the eccentricity and its error, which follow from gamma0 and kappa and theirs.
