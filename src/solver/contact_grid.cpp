@@ -190,10 +190,11 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 }
 
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
-  if (!is_unlike(scene)) return GridRules(n, zones, scene.peclet);
+  const bool crosses = exchanges(scene, zones);
+  if (!is_unlike(scene) && !crosses) return GridRules(n, zones, scene.peclet);
   const Conduction conduction(scene, false);
   const auto more = static_cast<int>(8 - 8 * std::log10(conduction.slowest));
-  return GridRules(n, zones, conduction.peclet, more);
+  return GridRules(n, zones, conduction.peclet, crosses ? more + n / 2 : more);
 }
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,

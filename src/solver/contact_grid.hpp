@@ -34,9 +34,9 @@ struct ContactGrid {
   Nodes nodes;
   ThermalTerms thermal;
   TractionOperators tractions;
-  std::optional<Exchange> crossing;  // what crosses between both bodies, where it is solved for
-  double creep = 0;                  // given in full slip only
-  std::optional<HotFriction> hot{};  // where friction depends on temperature
+  std::optional<Exchange> crossing{};  // what crosses between both bodies, where it is solved for
+  double creep = 0;                    // given in full slip only
+  std::optional<HotFriction> hot{};    // where friction depends on temperature
 };
 
 /// By these rules, for an h of so many terms; or with n unknowns, and as many terms.

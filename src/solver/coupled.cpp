@@ -127,11 +127,12 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
-  const bool bent = scene.law && n > 40 && now > std::max(1e-6, 0.05 * then);
-  const double remembered = bent ? 0.2 : slow ? 0.004 : 0.02;
+  const bool flat = now > std::max(1e-6, 0.05 * then), edged = level.crossing && flat;
+  const bool bent = (scene.law && n > 40 && flat) || edged;
+  const double remembered = edged ? 0.00025 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
   const double left =
-      bent ? 2 * change.head(compared).maxCoeff() : estimate(change, now, then, n, slow);
+      bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff() : estimate(change, now, then, n, slow);
   return {value, change, left + rounding(given, slope, scale) + ahead(scene, level)};
 }
 

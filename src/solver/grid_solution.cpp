@@ -40,6 +40,13 @@ VectorXd temperature_by_exchange(const ContactGrid& grid, const VectorXd& h) {
   return series / heat_share(grid.scene);
 }
 
+Factors without_edges(Factors at) {
+  const auto edge = 1 - at.s.abs() < 1e-4;
+  at.pressure = edge.select(1, at.pressure);
+  at.slip = (edge && at.s < at.border).select(1, at.slip);
+  return at;
+}
+
 GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   const ZoneLengths& at = grid.nodes.zones;
   const Index n = grid.nodes.y.size();
@@ -57,7 +64,8 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
     both << found.h, grid.scene.bulk_difference;
     found.crossing = CrossingHeat{grid.crossing->heat * both, grid.crossing->edge * both};
   }
-  found.violations = violations(factors(grid, found.h));
+  const Factors at_nodes = factors(grid, found.h);
+  found.violations = violations(grid.crossing ? without_edges(at_nodes) : at_nodes);
   if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
   return found;
 }

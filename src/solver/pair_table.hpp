@@ -20,7 +20,7 @@ using Remainders = Eigen::Matrix<double, 5, 1>;
 using Densities = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 struct PairTable {
-  PairTable(const Scene& pair, bool crossing);  // without it, both have the uniform share
+  explicit PairTable(const Scene& pair, bool crossing = true);  // false: the uniform share
   Remainders operator()(double z) const;
 
   double peclet, other_peclet, slope_1, slope_2;  // Pe1, Pe2, D1 and kappa D2
