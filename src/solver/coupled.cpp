@@ -76,7 +76,7 @@ bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const 
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
-  Prescribed near = given;  // a creep beyond Carter's starts close to full slip
+  Prescribed near = beyond_no_slip(scene, given);  // a creep beyond Carter's starts close to full slip
   if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
   const Carter cold = carter_given(scene.friction, near);
   slope = carter_slope(cold, given.quantity);
@@ -120,9 +120,18 @@ double ahead(const Scene& scene, const GridSolution& level) {
   return crossing_ahead(Conduction(scene, !exchanges(scene, level.at)), level.at.stick + level.at.slip * z.t, heat);
 }
 
+Results scale_in(const Scene& scene, const Results& value) {
+  Results scale = scale_of(value);
+  const double bulk = std::abs(scene.bulk_difference);
+  const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet / pi);
+  for (const Quantity q : {creep_constant, creep}) scale(q) += strain * bulk;
+  scale(max_temperature) += bulk;
+  return scale;
+}
+
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
-  const Results scale = scale_of(level.value), value = carried_over(level, given, slope);
+  const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
   const Results moved = (value - before.value).abs().max((value - level.value).abs());
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
@@ -138,7 +147,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
 
 CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
                             const Refinement& found, const std::vector<GridStep>& trace) {
-  const Results error = found.error * scale_of(level.value);
+  const Results error = found.error * scale_in(scene, level.value);
   const auto n = static_cast<int>(level.h.size());
   CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
                     level.h, level.violations, trace};
@@ -182,9 +191,10 @@ void check(double friction, const Prescribed& given) {
 
 void check(const Scene& scene, const Prescribed& given) {
   check(scene);
+  const Prescribed more = beyond_no_slip(scene, given);
   const bool any = scene.law && given.quantity == traction;  // friction may rise
-  if (any) require(given.value > 0, "traction", given.value, "positive");
-  if (!any) check(scene.friction, given);
+  if (any) require(more.value > 0, "traction", given.value, "positive");
+  if (!any) check(scene.friction, more);
 }
 
 Carter carter_given(double friction, const Prescribed& given) {

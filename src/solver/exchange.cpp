@@ -282,6 +282,32 @@ void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to) {
   to.bulk_g = bulk_difference * x.thermal.g.col(terms);
 }
 
+NoSlip no_slip(const Scene& scene) {
+  NoSlip now;
+  if (scene.bulk_difference == 0) return now;
+  Scene driven = scene;
+  driven.direction = Direction::driving;
+  for (int n = 40; n <= 160; n *= 2) {
+    const GridRules rules(n, {2, 0});
+    const Nodes z = place_nodes({2, 0}, rules.slip, rules.stick);
+    const ThermalTerms terms = exchange(driven, Formulation::corrected, z, rules, 0).thermal;
+    const ArrayXd strain = scene.bulk_difference * (terms.g - scene.friction * terms.f).col(0);
+    const NoSlip last = now;
+    now = {(z.over_root.array() * z.s * strain).sum(), z.over_root.dot(strain.matrix()) / pi};
+    if (std::abs(now.creep - last.creep) < 1e-10 * std::abs(now.creep)) break;
+  }
+  return now;
+}
+
+Prescribed beyond_no_slip(const Scene& scene, Prescribed given) {
+  const NoSlip rest = no_slip(scene);
+  const double sign = sign_of(scene.direction), f = scene.friction;
+  if (given.quantity == Quantity::creep) given.value -= sign * rest.creep;
+  if (given.quantity == Quantity::traction && rest.traction != 0)
+    given.value = f * (given.value - sign * rest.traction) / (f - sign * rest.traction);
+  return given;
+}
+
 bool exchanges(const Scene& scene, const ZoneLengths& at) {
   if (scene.bulk_difference != 0) return true;
   return is_unlike(scene) && 2 * std::min(scene.peclet, peclet_2(scene)) * at.stick < 30;

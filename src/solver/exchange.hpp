@@ -5,6 +5,7 @@
 
 #include "solver/nodes.hpp"
 #include "solver/thermal_terms.hpp"
+#include "thermoroll/coupled.hpp"
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/scene.hpp"
 
@@ -28,6 +29,10 @@ bool exchanges(const Scene& scene, const ZoneLengths& at);
 /// difference is left.
 Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
                   const GridRules& rules, Eigen::Index terms);
+
+/// What is given for a scene, less what there is without slip in its direction; a traction of f
+/// stays f.
+Prescribed beyond_no_slip(const Scene& scene, Prescribed given);
 
 /// Add it to the terms of a grid in which both bodies have the uniform share of heat.
 void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to);

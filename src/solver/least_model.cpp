@@ -163,6 +163,7 @@ CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd
 /// Null where one may do.
 const char* why_coupled(const Scene& scene, const Prescribed& given) {
   if (scene.law) return "friction depends on temperature";
+  if (scene.bulk_difference != 0) return "the bulk temperatures differ";
   if (is_unlike(scene)) return "the bodies have unlike diffusivities";
   return sticks_without_heat(scene.friction, given) ? nullptr : "without heat nothing would stick";
 }

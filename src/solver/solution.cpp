@@ -104,6 +104,8 @@ void check_method(const Scene& scene, const Prescribed& given, Method method) {
   if (scene.law && lesser)
     throw std::invalid_argument(
         "friction that depends on temperature needs the method coupled or auto");
+  if (scene.bulk_difference != 0 && lesser)
+    throw std::invalid_argument("a bulk difference needs the method coupled or auto");
   if (is_unlike(scene) && lesser)
     throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
   if (!scene.law && given.branch == Branch::falling)
@@ -126,7 +128,9 @@ Solution solve_without_slip(const Scene& scene, const Approach& approach, const 
 
 Scene directed(Scene scene, const Prescribed& given) {
   if (given.quantity == stick_slip_border) return scene;
-  scene.direction = given.value < 0 ? Direction::braking : Direction::driving;
+  const NoSlip rest = no_slip(scene);
+  const double least = given.quantity == traction ? rest.traction : rest.creep;
+  scene.direction = given.value < least ? Direction::braking : Direction::driving;
   return scene;
 }
 
@@ -146,7 +150,8 @@ void check_paper_pair(const Scene& scene) {
 /// The solution of a scene that drives, or of a braking one turned round.
 Solution solve_turned(const Scene& scene, const Prescribed& given, const Approach& approach) {
   const bool scheme = approach.method == Method::gauss_chebyshev;
-  if (!scheme && is_without_slip(given)) return solve_without_slip(scene, approach, given);
+  if (!scheme && scene.bulk_difference == 0 && is_without_slip(given))
+    return solve_without_slip(scene, approach, given);
   if (given.quantity == traction && given.value == scene.friction && !scene.law)
     refuse_undetermined_creep(scene, approach.formulation);
   check(scene, given);
@@ -332,7 +337,8 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   if (approach.method != Method::closed_form && approach.method != Method::gauss_chebyshev)
     check_tolerance(approach.tolerance);
   const Scene turned = directed(scene, given);
-  const bool braking = given.quantity != stick_slip_border && given.value < 0;
+  const bool braking =
+      given.quantity != stick_slip_border && turned.direction == Direction::braking;
   Solution x = solve_turned(
       turned, {given.quantity, braking ? -given.value : given.value, given.branch}, approach);
   turn(x);

@@ -10,6 +10,7 @@
 #include "solver/contact_grid.hpp"
 #include "solver/exchange.hpp"
 #include "solver/surface.hpp"
+#include "thermoroll/solution.hpp"
 
 using namespace thermoroll;
 using Eigen::ArrayXd;
@@ -24,6 +25,11 @@ struct Bodies {
   double bulk_difference = 0;
   double peclet_2() const { return scene.roller.peclet > 0 ? scene.roller.peclet : scene.peclet; }
   double ratio() const { return 1 / scene.roller.conductivity_ratio; }
+  Scene scene_with_bulk() const {
+    Scene whole = scene;
+    whole.bulk_difference = bulk_difference;
+    return whole;
+  }
 };
 
 /// One body alone with a share of the heat of both. Strains of body 2 have the other sign.
@@ -357,6 +363,93 @@ TEST(Exchange, TheInsulatorIsTheLimitAtFixedHeatCapacity) {
   EXPECT_NEAR(first, third, 0.2 * third);
   EXPECT_NEAR(second, third, 0.02 * third);
   EXPECT_GT(third, 0.01);
+}
+
+// The strain at high speed is that of the leading edge's flux, cut off at the trailing edge; the
+// next terms are of the order of 1 / sqrt(Pe), with factors of order one.
+TEST(Exchange, NoSlipAtHighSpeed) {
+  for (const double peclet : {1e2, 1e3, 1e4}) {
+    Scene scene{0.6, peclet, 0.5, {1, 0.5}};
+    scene.bulk_difference = -0.01;
+    const double fast = 0.6 * 0.5 * -0.01 * std::sqrt(peclet / pi);
+    const NoSlip rest = no_slip(scene);
+    EXPECT_NEAR(rest.creep / fast, 1, 1.5 / std::sqrt(peclet));
+    EXPECT_NEAR(rest.traction / ((4 - pi) * fast), 1, 1.5 / std::sqrt(peclet));
+  }
+  EXPECT_EQ(no_slip({0.6, 100, 1, {1, 1}}).creep, 0);
+}
+
+// From the state without slip the slip zone grows on both branches. A zone of the length L changes
+// traction and creep by about f L.
+TEST(Exchange, WithoutSlipBothBranchesMeet) {
+  for (const Reference& x : references) {
+    if (x.bodies.bulk_difference == 0) continue;
+    const NoSlip rest = no_slip(x.bodies.scene_with_bulk());
+    EXPECT_GT(std::min(rest.creep, rest.traction), 0.01);
+    for (const Direction direction : {Direction::driving, Direction::braking}) {
+      Scene scene = x.bodies.scene_with_bulk();
+      scene.direction = direction;
+      const Prescribed given{Quantity::stick_slip_border, 1 - 1e-6};
+      const CoupledSolution next =
+          solve_coupled(scene, Formulation::corrected, 1e-6, given);
+      const double sign = sign_of(direction);
+      EXPECT_NEAR(sign * next.value(Quantity::traction), rest.traction, 4e-6);
+      EXPECT_NEAR(sign * next.value(Quantity::creep), rest.creep, 4e-6);
+    }
+  }
+}
+
+// A traction is driving or braking by what there is without slip, and so both signs have a creep
+// that is continuous there and rises everywhere.
+TEST(Exchange, EveryTractionHasACreep) {
+  const Scene scene = references[2].bodies.scene_with_bulk();
+  const NoSlip rest = no_slip(scene);
+  double last = -1;
+  for (const double q : {-0.5, -0.1, 0.0, 0.5 * rest.traction, 0.9 * rest.traction,
+                         1.1 * rest.traction, 2 * rest.traction, 0.5}) {
+    const Solution x = solve(scene, {Quantity::traction, q});
+    EXPECT_EQ(x.scene.direction, q < rest.traction ? Direction::braking : Direction::driving) << q;
+    EXPECT_NEAR(x.value(Quantity::traction), q, 1e-12);
+    EXPECT_GT(x.value(Quantity::creep), last);
+    last = x.value(Quantity::creep);
+    const Solution back = solve(scene, {Quantity::creep, last});
+    EXPECT_NEAR(back.value(Quantity::traction), q, 1e-4);
+  }
+}
+
+// Unlike bodies in full slip, where the closed form of the partition has no room, continue what they
+// do next to it. A creep larger by a thousandth makes that much more heat, and less than that of
+// everything else.
+TEST(Exchange, JoinsFullSlip) {
+  Scene warm{0.5, 30, 0.1, {1, 0.1}};
+  warm.bulk_difference = 0.01;
+  for (const Scene& scene : {Scene{0.5, 30, 0.4, {0.5, 0.6, 90}}, warm}) {
+    const CoupledSolution next = solve_coupled(scene, Formulation::corrected, 1e-7,
+                                               {Quantity::stick_slip_border, -1 + 1e-5});
+    const CoupledSolution full = solve_coupled(scene, Formulation::corrected, 1e-7,
+                                               {Quantity::creep, 1.001 * next.value(Quantity::creep)});
+    EXPECT_EQ(full.value(Quantity::stick_slip_border), -1);
+    for (const Quantity q : {Quantity::traction, Quantity::load_ratio, Quantity::gamma0,
+                             Quantity::heat_integral, Quantity::max_temperature})
+      EXPECT_NEAR(full.value(q), next.value(q), 2e-3 * std::abs(next.value(q))) << static_cast<int>(q);
+    EXPECT_NEAR(full.crossing->heat, next.crossing->heat, 2e-3 * std::abs(next.crossing->heat));
+  }
+}
+
+// Where the contact is long enough the closed form of the partition is exact, to 1e-13, and the grid
+// finds that flux.
+TEST(Exchange, JoinsTheClosedForm) {
+  const Scene scene{0.6, 15.5, 1, {2, 0.7, 60}};
+  const auto at_border = [&](double c0) {
+    return solve_coupled(scene, Formulation::corrected, 1e-9, {Quantity::stick_slip_border, c0});
+  };
+  const double border = 15 / 15.5 - 1;  // exp(-30) is left at the leading edge
+  const CoupledSolution before = at_border(border - 1e-9), after = at_border(border + 1e-9);
+  ASSERT_TRUE(before.crossing && !after.crossing);
+  for (int i = 2; i < compared; ++i)
+    EXPECT_NEAR(before.value[i], after.value[i], 4e-9) << i;
+  const double share = effusivity_share(scene) - heat_share(scene);
+  EXPECT_NEAR(before.crossing->heat, share * before.value(Quantity::heat_integral), 1e-9);
 }
 
 }  // namespace

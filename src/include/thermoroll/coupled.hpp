@@ -116,6 +116,12 @@ struct CoupledSolution {
   std::optional<CrossingHeat> crossing{};  ///< where it is solved for
 };
 
+/// Traction and creep where nothing slips, with their signs: none but those of a bulk difference.
+struct NoSlip {
+  double traction = 0, creep = 0;
+};
+NoSlip no_slip(const Scene& scene);
+
 /// Put in the eccentricity and its error, which follow from gamma0 and kappa and theirs.
 void add_eccentricity(Results& value, Results& error);
 
