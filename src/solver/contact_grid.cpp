@@ -179,8 +179,8 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
     crossing = exchange(scene, formulation, nodes, rules, terms);
     add_exchange(*crossing, scene.bulk_difference, thermal);
   }
-  ContactGrid grid{scene, rules, nodes, thermal,
-                   traction_operators(nodes, thermal, scene.friction), crossing};
+  ContactGrid grid{
+      scene, rules, nodes, thermal, traction_operators(nodes, thermal, scene.friction), crossing};
   if (scene.law) grid.hot = hot_friction(scene, nodes, rules, terms);
   if (scene.law && crossing) {
     grid.hot->temperature += crossing->temperature.leftCols(terms);

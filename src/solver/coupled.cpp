@@ -76,7 +76,7 @@ bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const 
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
-  Prescribed near = beyond_no_slip(scene, given);  // a creep beyond Carter's starts close to full slip
+  Prescribed near = beyond_no_slip(scene, given);
   if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
   const Carter cold = carter_given(scene.friction, near);
   slope = carter_slope(cold, given.quantity);
@@ -117,7 +117,8 @@ double ahead(const Scene& scene, const GridSolution& level) {
   const GaussLegendre& rule = gauss_legendre(static_cast<int>(level.h.size()));
   const Nodes z = place_nodes(level.at, rule, rule);
   const ArrayXd heat = z.heat.transpose().array() * (rule.p * level.h).array();
-  return crossing_ahead(Conduction(scene, !exchanges(scene, level.at)), level.at.stick + level.at.slip * z.t, heat);
+  return crossing_ahead(Conduction(scene, !exchanges(scene, level.at)),
+                        level.at.stick + level.at.slip * z.t, heat);
 }
 
 Results scale_in(const Scene& scene, const Results& value) {
@@ -140,8 +141,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool bent = (scene.law && n > 40 && flat) || edged;
   const double remembered = edged ? 0.00025 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
-  const double left =
-      bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff() : estimate(change, now, then, n, slow);
+  const double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()
+                           : estimate(change, now, then, n, slow);
   return {value, change, left + rounding(given, slope, scale) + ahead(scene, level)};
 }
 

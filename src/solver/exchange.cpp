@@ -21,8 +21,8 @@ namespace {
 
 /// Both bodies as @eq:exchange and @eq:exchange-terms see them.
 struct ExchangingPair {
-  double peclet, peclet_2, ratio, share;       // ratio = K1 / K2, share = omega
-  double slope, slope_2, strain, strain_2;     // factors of N1 and of N2
+  double peclet, peclet_2, ratio, share;    // ratio = K1 / K2, share = omega
+  double slope, slope_2, strain, strain_2;  // factors of N1 and of N2
 };
 
 ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
@@ -31,8 +31,8 @@ ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
   const double d1 = scene.friction * scene.peclet * scene.heating;
   const double d2 = scene.friction * pe_2 * roller.heating;
   const double outward = -slope_sign(formulation), along = sign_of(scene.direction) / pi;
-  return {scene.peclet, pe_2,          1 / roller.conductivity_ratio, heat_share(scene),
-          outward * d1, -outward * d2, along * d1,                    along * d2};
+  const double ratio = 1 / roller.conductivity_ratio, share = heat_share(scene);
+  return {scene.peclet, pe_2, ratio, share, outward * d1, -outward * d2, along * d1, along * d2};
 }
 
 /// The map of a zone: its length, the fineness of the stick zone's exponential (zero on the slip
@@ -136,7 +136,8 @@ KernelWeights exchange_weights(const ExchangingPair& pair, const Ray& ray) {
   const std::vector<Kernels> second = alike ? first : kernels_along(ray, pair.peclet_2);
   KernelWeights weights(ray.x.size(), node_weights);
   for (Index i = 0; i < ray.x.size(); ++i) {
-    const Kernels &k1 = first[static_cast<std::size_t>(i)], &k2 = second[static_cast<std::size_t>(i)];
+    const Kernels& k1 = first[static_cast<std::size_t>(i)];
+    const Kernels& k2 = second[static_cast<std::size_t>(i)];
     const double flux = ray.exchanged[i], twice = ray.upstream ? -2 * ray.apart[i] : 0;
     const double m1 = k1.m_down * std::exp(twice * pair.peclet);
     const double m2 = k2.m_down * std::exp(twice * pair.peclet_2);
@@ -341,8 +342,7 @@ ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const ArrayXd& s,
     const ZoneMap slips = slip_map(x.at), sticks = stick_map(x.at);
     temperature(i) = temperature_by(slips, peclet, seen_from(slips, s(i) - c0), x.slip, rule);
     if (x.stick.size() > 0)
-      temperature(i) +=
-          temperature_by(sticks, peclet, seen_from(sticks, c0 - s(i)), x.stick, rule);
+      temperature(i) += temperature_by(sticks, peclet, seen_from(sticks, c0 - s(i)), x.stick, rule);
   }
   return temperature;
 }

@@ -24,9 +24,9 @@ struct Exchange {
 /// Whether @eq:exchange is solved in such a contact.
 bool exchanges(const Scene& scene, const ZoneLengths& at);
 
-/// Solve @eq:exchange for two bodies that conduct, on the nodes of a grid and by its rules, for an h
-/// of so many terms, at most as many as there are slip nodes; with none only the column of the bulk
-/// difference is left.
+/// Solve @eq:exchange for two bodies that conduct, on the nodes of a grid and by its rules, for an
+/// h of so many terms, at most as many as there are slip nodes; with none only the column of the
+/// bulk difference is left.
 Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
                   const GridRules& rules, Eigen::Index terms);
 

@@ -16,10 +16,10 @@ namespace thermoroll {
 struct GridSolution {
   ZoneLengths at{};  // without a stick zone in full slip
   Results value = Results::Zero();
-  Eigen::VectorXd h{};                  // Legendre coefficients; none before the first grid
-  HottestPoint peak{};                  // the hottest point
-  int newton_steps = 0;                 // 0 where Newton failed
-  std::vector<Violation> violations{};  // where it is no contact
+  Eigen::VectorXd h{};                     // Legendre coefficients; none before the first grid
+  HottestPoint peak{};                     // the hottest point
+  int newton_steps = 0;                    // 0 where Newton failed
+  std::vector<Violation> violations{};     // where it is no contact
   std::optional<CrossingHeat> crossing{};  // what crosses between both bodies, if solved for
 };
 

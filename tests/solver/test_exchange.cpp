@@ -83,8 +83,7 @@ double heat_of_friction(const Found& x) {
 
 /// The integral of E.
 double heat_that_crosses(const Found& x, double bulk_difference) {
-  return x.crossing.heat.head(x.h.size()).dot(x.h) +
-         x.crossing.heat(x.h.size()) * bulk_difference;
+  return x.crossing.heat.head(x.h.size()).dot(x.h) + x.crossing.heat(x.h.size()) * bulk_difference;
 }
 
 // An independent collocation in numpy, converged to 1e-10: panels of Gauss-Legendre nodes, graded
@@ -95,47 +94,46 @@ struct Reference {
   double traction, creep, load_ratio, gamma0, heat, heat_1;
   double flux, temperature;  // into body 1 at s = -0.59225, and T* at s = 0.40775
 };
-const Reference references[] = {
-    {"different diffusivity",
-     {{0.6, 100, 1, {2, 0.7, 20}}},
-     0.4931146464525543,
-     0.21122536022617175,
-     1.0566696021456268,
-     0.03680916862513919,
-     0.1790172859971811,
-     0.09449678871143838,
-     4.046865851435699e-11,
-     0.00459226632945296},
-    {"different, low speed",
-     {{0.6, 2, 1, {2, 0.7, 0.5}}},
-     0.5044965880771926,
-     0.21762049205599818,
-     0.9942395805703041,
-     0.02299044819803738,
-     0.18264737145596993,
-     0.0905927482340755,
-     0.009288888192952175,
-     0.037153296805173555},
-    {"identical, hot body 2",
-     {{0.6, 100, 1, {1, 1, 100}}, 0.01},
-     0.49560623054229025,
-     0.24210048711319768,
-     1.0737276779180023,
-     0.04398279680609208,
-     0.1750202899265444,
-     0.20041851946029382,
-     0.0624759805405048,
-     0.009128203866845905},
-    {"different, hot body 2",
-     {{0.6, 100, 1, {2, 0.7, 20}}, 0.01},
-     0.4863309101749582,
-     0.22732351665675937,
-     1.0182389948776946,
-     0.05307329264403063,
-     0.16975963563726695,
-     0.19636604524706183,
-     0.058994313513897646,
-     0.009131712174527778}};
+const Reference references[] = {{"different diffusivity",
+                                 {{0.6, 100, 1, {2, 0.7, 20}}},
+                                 0.4931146464525543,
+                                 0.21122536022617175,
+                                 1.0566696021456268,
+                                 0.03680916862513919,
+                                 0.1790172859971811,
+                                 0.09449678871143838,
+                                 4.046865851435699e-11,
+                                 0.00459226632945296},
+                                {"different, low speed",
+                                 {{0.6, 2, 1, {2, 0.7, 0.5}}},
+                                 0.5044965880771926,
+                                 0.21762049205599818,
+                                 0.9942395805703041,
+                                 0.02299044819803738,
+                                 0.18264737145596993,
+                                 0.0905927482340755,
+                                 0.009288888192952175,
+                                 0.037153296805173555},
+                                {"identical, hot body 2",
+                                 {{0.6, 100, 1, {1, 1, 100}}, 0.01},
+                                 0.49560623054229025,
+                                 0.24210048711319768,
+                                 1.0737276779180023,
+                                 0.04398279680609208,
+                                 0.1750202899265444,
+                                 0.20041851946029382,
+                                 0.0624759805405048,
+                                 0.009128203866845905},
+                                {"different, hot body 2",
+                                 {{0.6, 100, 1, {2, 0.7, 20}}, 0.01},
+                                 0.4863309101749582,
+                                 0.22732351665675937,
+                                 1.0182389948776946,
+                                 0.05307329264403063,
+                                 0.16975963563726695,
+                                 0.19636604524706183,
+                                 0.058994313513897646,
+                                 0.009131712174527778}};
 
 // Both are converged to a few 1e-9 of numbers of order one; the last case, whose pressure has a
 // logarithm at the edges, is the slowest.
@@ -145,16 +143,16 @@ TEST(Exchange, SolutionsAreIndependentReferences) {
     const Found found = solve_at(x.bodies, -0.1845, 64);
     const Resultants sum = resultants(found.grid, found.h);
     const double heat = heat_of_friction(found);
-    const double heat_1 = heat_share(x.bodies.scene) * heat +
-                          heat_that_crosses(found, x.bodies.bulk_difference);
+    const double heat_1 =
+        heat_share(x.bodies.scene) * heat + heat_that_crosses(found, x.bodies.bulk_difference);
     EXPECT_NEAR(sum.traction, x.traction, 1e-8);
     EXPECT_NEAR(sum.constant - 0.6 * sum.gamma0, x.creep, 1e-8);
     EXPECT_NEAR(sum.kappa, x.load_ratio, 1e-8);
     EXPECT_NEAR(sum.gamma0, x.gamma0, 1e-8);
     EXPECT_NEAR(heat, x.heat, 1e-8);
     EXPECT_NEAR(heat_1, x.heat_1, 1e-8);
-    const ExchangedFlux e = exchanged_flux(found.crossing, found.grid.nodes, found.h,
-                                           x.bodies.bulk_difference);
+    const ExchangedFlux e =
+        exchanged_flux(found.crossing, found.grid.nodes, found.h, x.bodies.bulk_difference);
     EXPECT_NEAR(flux_at(e, ArrayXd::Constant(1, -0.59225))(0), x.flux, 1e-8);
     const ArrayXd place = ArrayXd::Constant(1, 0.40775);
     const double pe = x.bodies.scene.peclet, share = heat_share(x.bodies.scene);
@@ -220,7 +218,8 @@ Bodies random_bodies(std::mt19937& generator) {
   const double peclet = std::pow(10, 1.5 + 2 * uniform(generator));
   const double peclet_2 = peclet * std::pow(10, uniform(generator));
   const double conductivity_ratio = std::pow(10, uniform(generator));
-  return {{0.5, peclet, 1, {conductivity_ratio, 1, peclet_2}}, uniform(generator) / std::sqrt(peclet)};
+  return {{0.5, peclet, 1, {conductivity_ratio, 1, peclet_2}},
+          uniform(generator) / std::sqrt(peclet)};
 }
 
 // The equation itself, at places which are no nodes, by rays from these places: the temperatures
@@ -254,7 +253,8 @@ TEST(Exchange, ContactTemperatureIsTheMeanByEffusivities) {
       const Heated heated(x, {0.9, 1.1}, 40, some_heat());
       const double e = ratio * std::sqrt(peclet_2 / 200);  // e2 / e1
       const double mean = 0.02 * e / (1 + e);
-      const double c = 0.02 / (std::sqrt(pi / 2) * (1 / std::sqrt(200) + 1 / (ratio * std::sqrt(peclet_2))));
+      const double c =
+          0.02 / (std::sqrt(pi / 2) * (1 / std::sqrt(200) + 1 / (ratio * std::sqrt(peclet_2))));
       const ArrayXd root = (1 + s).sqrt();
       EXPECT_LT((heated.first(s) - mean).abs().maxCoeff(), 1e-8);
       EXPECT_LT((flux_at(heated.e, s) * root - c).abs().maxCoeff(), 1e-6 * c);
@@ -301,8 +301,8 @@ Bodies exchanged(const Bodies& x) {
   return y;
 }
 
-// Driving with bodies 1 and 2 is braking with 2 and 1. The equations are the same, but for roundings
-// and for the quadrature of 1e-9.
+// Driving with bodies 1 and 2 is braking with 2 and 1. The equations are the same, but for
+// roundings and for the quadrature of 1e-9.
 TEST(Exchange, DrivingIsBrakingOfExchangedBodies) {
   for (const Reference& x : references) {
     SCOPED_TRACE(x.name);
@@ -335,7 +335,8 @@ double work_of_strain(const Found& x) {
          (corrective * all.slip.head(m).reverse() * strain.tail(m)).sum();
 }
 
-// The power of the pull is the heat and the work on the thermal strain: f int v p = xi Q - int q Th.
+// The power of the pull is the heat and the work on the thermal strain: f int v p = xi Q - int q
+// Th.
 TEST(Exchange, EnergyBalances) {
   for (const Reference& x : references) {
     SCOPED_TRACE(x.name);
@@ -390,8 +391,7 @@ TEST(Exchange, WithoutSlipBothBranchesMeet) {
       Scene scene = x.bodies.scene_with_bulk();
       scene.direction = direction;
       const Prescribed given{Quantity::stick_slip_border, 1 - 1e-6};
-      const CoupledSolution next =
-          solve_coupled(scene, Formulation::corrected, 1e-6, given);
+      const CoupledSolution next = solve_coupled(scene, Formulation::corrected, 1e-6, given);
       const double sign = sign_of(direction);
       EXPECT_NEAR(sign * next.value(Quantity::traction), rest.traction, 4e-6);
       EXPECT_NEAR(sign * next.value(Quantity::creep), rest.creep, 4e-6);
@@ -417,27 +417,29 @@ TEST(Exchange, EveryTractionHasACreep) {
   }
 }
 
-// Unlike bodies in full slip, where the closed form of the partition has no room, continue what they
-// do next to it. A creep larger by a thousandth makes that much more heat, and less than that of
-// everything else.
+// Unlike bodies in full slip, where the closed form of the partition has no room, continue what
+// they do next to it. A creep larger by a thousandth makes that much more heat, and less than that
+// of everything else.
 TEST(Exchange, JoinsFullSlip) {
   Scene warm{0.5, 30, 0.1, {1, 0.1}};
   warm.bulk_difference = 0.01;
   for (const Scene& scene : {Scene{0.5, 30, 0.4, {0.5, 0.6, 90}}, warm}) {
     const CoupledSolution next = solve_coupled(scene, Formulation::corrected, 1e-7,
                                                {Quantity::stick_slip_border, -1 + 1e-5});
-    const CoupledSolution full = solve_coupled(scene, Formulation::corrected, 1e-7,
-                                               {Quantity::creep, 1.001 * next.value(Quantity::creep)});
+    const CoupledSolution full =
+        solve_coupled(scene, Formulation::corrected, 1e-7,
+                      {Quantity::creep, 1.001 * next.value(Quantity::creep)});
     EXPECT_EQ(full.value(Quantity::stick_slip_border), -1);
     for (const Quantity q : {Quantity::traction, Quantity::load_ratio, Quantity::gamma0,
                              Quantity::heat_integral, Quantity::max_temperature})
-      EXPECT_NEAR(full.value(q), next.value(q), 2e-3 * std::abs(next.value(q))) << static_cast<int>(q);
+      EXPECT_NEAR(full.value(q), next.value(q), 2e-3 * std::abs(next.value(q)))
+          << static_cast<int>(q);
     EXPECT_NEAR(full.crossing->heat, next.crossing->heat, 2e-3 * std::abs(next.crossing->heat));
   }
 }
 
-// Where the contact is long enough the closed form of the partition is exact, to 1e-13, and the grid
-// finds that flux.
+// Where the contact is long enough the closed form of the partition is exact, to 1e-13, and the
+// grid finds that flux.
 TEST(Exchange, JoinsTheClosedForm) {
   const Scene scene{0.6, 15.5, 1, {2, 0.7, 60}};
   const auto at_border = [&](double c0) {
@@ -446,8 +448,7 @@ TEST(Exchange, JoinsTheClosedForm) {
   const double border = 15 / 15.5 - 1;  // exp(-30) is left at the leading edge
   const CoupledSolution before = at_border(border - 1e-9), after = at_border(border + 1e-9);
   ASSERT_TRUE(before.crossing && !after.crossing);
-  for (int i = 2; i < compared; ++i)
-    EXPECT_NEAR(before.value[i], after.value[i], 4e-9) << i;
+  for (int i = 2; i < compared; ++i) EXPECT_NEAR(before.value[i], after.value[i], 4e-9) << i;
   const double share = effusivity_share(scene) - heat_share(scene);
   EXPECT_NEAR(before.crossing->heat, share * before.value(Quantity::heat_integral), 1e-9);
 }

@@ -29,7 +29,8 @@ struct Scene {
   Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct
   Direction direction = Direction::driving;
   FrictionLaw law{};  ///< of friction by temperature (@sec:hot-friction); constant if empty
-  /// Theta, by how much a cylinder that conducts is warmer far away, in units of T* (@sec:exchange).
+  /// Theta, by how much a cylinder that conducts is warmer far away, in units of T*
+  /// (@sec:exchange).
   double bulk_difference = 0;
 };
 
