@@ -51,6 +51,16 @@ void share_heat(json& o, const Scene& scene, const Results& x) {
   o["heat_2"] = effusivity_ratio(scene) * heat;
 }
 
+void share_heat_with(const CrossingHeat& crossing, json& o, json& error, const Solution& x) {
+  const double heat = x.value(Quantity::heat_integral), bulk = x.scene.bulk_difference;
+  const double heat_1 = heat_share(x.scene) * heat + crossing.heat;
+  const double left = (*x.error)(Quantity::heat_integral) * (1 + std::abs(crossing.heat) / heat);
+  o["heat_1"] = heat_1;
+  o["heat_2"] = heat - heat_1;
+  o["heat_partition"] = bulk == 0 ? json(heat_1 / heat) : json();
+  error["heat_1"] = error["heat_2"] = left;
+}
+
 void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {
   const auto* law = scene.law.target<LawOfFriction>();
   std::optional<LawKind> kind;
@@ -138,6 +148,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   share_heat(o, x.scene, x.value);
   if (x.error) share_heat(error, x.scene, *x.error);
   o["heat_partition"] = effusivity_share(x.scene);
+  if (coupled != nullptr && coupled->crossing) share_heat_with(*coupled->crossing, o, error, x);
   o["full_slip"] = all_slips(x);
   add_limits(o, x.error ? &error : nullptr, x);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
