@@ -275,6 +275,8 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
   if (!(reach > 0)) require(false, "reach", reach, "positive");
   if (is_unlike(scene))
     throw std::invalid_argument("a law is not made for bodies of unlike diffusivities");
+  if (scene.bulk_difference != 0)
+    throw std::invalid_argument("a law is not made for bodies of different bulk temperatures");
   require(1e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-7 to 1e-2");
   Scene one = scene;
   one.direction = Direction::driving;

@@ -2,6 +2,7 @@
 #include "solver/exchange.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -211,6 +212,22 @@ RowVectorXd flux_integrals(const Nodes& z, const GridRules& rules) {
   return both;
 }
 
+NoSlip find_no_slip(const Scene& scene) {
+  NoSlip now;
+  Scene driven = scene;
+  driven.direction = Direction::driving;
+  for (int n = 40; n <= 160; n *= 2) {
+    const GridRules rules(n, {2, 0});
+    const Nodes z = place_nodes({2, 0}, rules.slip, rules.stick);
+    const ThermalTerms terms = exchange(driven, Formulation::corrected, z, rules, 0).thermal;
+    const ArrayXd strain = scene.bulk_difference * (terms.g - scene.friction * terms.f).col(0);
+    const NoSlip last = now;
+    now = {(z.over_root.array() * z.s * strain).sum(), z.over_root.dot(strain.matrix()) / pi};
+    if (std::abs(now.creep - last.creep) < 1e-10 * std::abs(now.creep)) break;
+  }
+  return now;
+}
+
 /// The target at this distance from the border, negative before it.
 Target seen_from(const ZoneMap& zone, double from_border) {
   const double t = from_border / zone.length;
@@ -284,20 +301,16 @@ void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to) {
 }
 
 NoSlip no_slip(const Scene& scene) {
-  NoSlip now;
-  if (scene.bulk_difference == 0) return now;
-  Scene driven = scene;
-  driven.direction = Direction::driving;
-  for (int n = 40; n <= 160; n *= 2) {
-    const GridRules rules(n, {2, 0});
-    const Nodes z = place_nodes({2, 0}, rules.slip, rules.stick);
-    const ThermalTerms terms = exchange(driven, Formulation::corrected, z, rules, 0).thermal;
-    const ArrayXd strain = scene.bulk_difference * (terms.g - scene.friction * terms.f).col(0);
-    const NoSlip last = now;
-    now = {(z.over_root.array() * z.s * strain).sum(), z.over_root.dot(strain.matrix()) / pi};
-    if (std::abs(now.creep - last.creep) < 1e-10 * std::abs(now.creep)) break;
-  }
-  return now;
+  if (scene.bulk_difference == 0) return {};
+  static thread_local std::array<double, 7> last{};
+  static thread_local NoSlip found;
+  const Roller& roller = scene.roller;
+  const std::array<double, 7> data{scene.friction,       scene.peclet,    scene.heating,
+                                   roller.heating,       peclet_2(scene), roller.conductivity_ratio,
+                                   scene.bulk_difference};
+  if (data != last) found = find_no_slip(scene);
+  last = data;
+  return found;
 }
 
 Prescribed beyond_no_slip(const Scene& scene, Prescribed given) {
