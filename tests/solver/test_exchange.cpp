@@ -476,4 +476,29 @@ TEST(Exchange, SolutionsAreWithinTheirErrors) {
   }
 }
 
+// Curves, profiles and the maximum are one temperature. The curve is that of the references; what
+// cools behind the contact and ahead of it is no hotter.
+TEST(Exchange, TemperaturesAgree) {
+  for (const Reference& x : references) {
+    SCOPED_TRACE(x.name);
+    const Approach fine{Method::coupled, Formulation::corrected, 200, 1e-6};
+    const Scene scene = x.bodies.scene_with_bulk();
+    const Solution found = solve(scene, {Quantity::stick_slip_border, -0.1845}, fine);
+    const double top = found.value(Quantity::max_temperature);
+    const double error = (*found.error)(Quantity::max_temperature);
+    const Profile along = profile(found);
+    EXPECT_LE(along.temperature.maxCoeff(), top + error);
+    EXPECT_GT(along.temperature.maxCoeff(), 0.99 * top);
+    std::vector<double> s(along.s.begin(), along.s.end());
+    s.insert(s.end(), {0.40775, -1.5, 1.5});
+    const auto points = temperature_curve(found, s, 0).points;
+    const auto nodes = static_cast<std::size_t>(along.s.size());
+    for (std::size_t i = 0; i < nodes; ++i)
+      EXPECT_NEAR(points[i].temperature, along.temperature(static_cast<Index>(i)), error) << s[i];
+    EXPECT_NEAR(points[nodes].temperature, x.temperature, error);
+    EXPECT_LT(points[nodes + 1].temperature, 0.1 * top);
+    EXPECT_LT(points[nodes + 2].temperature, 0.9 * top);
+  }
+}
+
 }  // namespace
