@@ -24,6 +24,8 @@ Scene scene_of(const PhysicalScene& si, double friction) {
                     other == si.diffusivity ? 0 : si.speed * si.half_width / (2 * other)};
   scene.direction = si.direction;
   const double unit = units_of(si, friction).temperature;
+  if (si.bulk_temperature_2)
+    scene.bulk_difference = (*si.bulk_temperature_2 - si.bulk_temperature.value_or(0)) / unit;
   if (si.law) {
     const auto& [scale, floor, reference] = si.law->of;
     scene.law = LawOfFriction{si.law->kind, {scale / unit, floor, reference / unit}};
@@ -76,6 +78,8 @@ void check_but_half_width(const PhysicalScene& si) {
   require(si.diffusivity_2 >= 0, "diffusivity-2", si.diffusivity_2, "zero or positive");
   const double bulk = si.bulk_temperature.value_or(0);
   require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
+  const double bulk_2 = si.bulk_temperature_2.value_or(bulk);
+  require(bulk_2 >= -273.15, "bulk-temperature-2", bulk_2, "at least -273.15 degree C");
   if (si.law) check(*si.law);
 }
 

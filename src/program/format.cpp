@@ -61,6 +61,22 @@ void share_heat_with(const CrossingHeat& crossing, json& o, json& error, const S
   error["heat_1"] = error["heat_2"] = left;
 }
 
+void add_exchange(json& o, json* error, const Solution& x) {
+  const Scene& scene = x.scene;
+  const bool insulated = scene.roller.conductivity_ratio == 0, bulk = scene.bulk_difference != 0;
+  const double uniform = heat_share(scene) * x.value(Quantity::heat_integral);
+  o["exchanged_heat"] = insulated ? json() : json(o["heat_1"].get<double>() - uniform);
+  if (error != nullptr) (*error)["exchanged_heat"] = insulated ? json() : (*error)["heat_1"];
+  const NoSlip still = bulk ? no_slip(scene) : NoSlip{};
+  o["no_slip_traction"] = bulk ? json(still.traction) : json();
+  o["no_slip_creep"] = bulk ? json(still.creep) : json();
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  const double apart = scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
+  const bool edge = bulk && coupled != nullptr && coupled->crossing;
+  o["edge_log_coefficient"] =
+      edge ? json(-2 * scene.friction / pi * apart * coupled->crossing->edge) : json();
+}
+
 void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {
   const auto* law = scene.law.target<LawOfFriction>();
   std::optional<LawKind> kind;
@@ -142,6 +158,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["conductivity_ratio"] = insulated ? json() : json(x.scene.roller.conductivity_ratio);
   o["peclet_2"] = insulated ? json() : json(peclet_2(x.scene));
   o["effusivity_ratio"] = insulated ? json() : json(effusivity_ratio(x.scene));
+  o["bulk_difference"] = insulated ? json() : json(x.scene.bulk_difference);
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   describe_law(o, x.scene, coupled);
   o.update(object(x.value));
@@ -149,6 +166,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   if (x.error) share_heat(error, x.scene, *x.error);
   o["heat_partition"] = effusivity_share(x.scene);
   if (coupled != nullptr && coupled->crossing) share_heat_with(*coupled->crossing, o, error, x);
+  add_exchange(o, x.error ? &error : nullptr, x);
   o["full_slip"] = all_slips(x);
   add_limits(o, x.error ? &error : nullptr, x);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
@@ -226,7 +244,8 @@ void erase_keys(json& o, const std::vector<const char*>& keys) {
 void leave_out(json& o, const MoreColumns& with) {
   if (!with.roller)
     erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "peclet_2",
-                   "effusivity_ratio", "heat_1", "heat_2", "heat_partition"});
+                   "effusivity_ratio", "bulk_difference", "heat_1", "heat_2", "heat_partition",
+                   "exchanged_heat", "no_slip_traction", "no_slip_creep", "edge_log_coefficient"});
   if (!with.law)
     erase_keys(o, {"friction_law", "friction_temperature", "friction_floor",
                    "friction_reference_temperature", "branch", "friction_min", "traction_limit",
@@ -327,6 +346,10 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     plain("effusivity_ratio", "e2/e1");
     plain("heat_partition", "omega");
   }
+  if (x.scene.bulk_difference != 0)
+    for (const char* name : {"bulk_difference", "exchanged_heat", "no_slip_traction",
+                             "no_slip_creep", "edge_log_coefficient"})
+      plain(name, "");
   if (x.scene.direction == Direction::braking) plain("direction", "");
   if (x.scene.law) {
     plain("friction_law", "");

@@ -72,7 +72,14 @@ constexpr SceneOption law_options[] = {
 constexpr SceneOption bulk_options[] = {
     {"--bulk-temperature", "degree C",
      "with SI data: that of both bodies far away; none is assumed",
-     &SceneOptions::bulk_temperature}};
+     &SceneOptions::bulk_temperature},
+    {"--bulk-temperature-2", "degree C", "the roller's, if it is another",
+     &SceneOptions::bulk_temperature_2}};
+
+constexpr SceneOption bulk_group_options[] = {
+    {"--bulk-difference", "NUMBER",
+     "Theta, by how much the roller is warmer far away, in units of T*",
+     &SceneOptions::bulk_difference}};
 
 constexpr SceneOption given_options[] = {
     {"--traction", "NUMBER", "traction Q* = Q/P, between -f and f; negative for braking",
@@ -123,6 +130,7 @@ void add_law(CLI::App& command, SceneOptions& o) {
   add_word(command, "friction-law", o.friction_law, law_names, "constant unless given", group);
   for (const SceneOption& option : law_options) declare(command, o, option, group);
   for (const SceneOption& option : bulk_options) declare(command, o, option, group);
+  for (const SceneOption& option : bulk_group_options) declare(command, o, option, group);
   add_word(command, "branch", o.branch, branch_names,
            "of the two solutions at one traction, rising unless given", group);
 }
@@ -217,8 +225,12 @@ void check_law_options(const SceneOptions& o, bool si) {
   if (!branch.empty() && !o.traction)
     throw std::invalid_argument(
         "--branch is for a given traction: a creep or a border has one solution");
-  if (!si && o.bulk_temperature)
-    throw std::invalid_argument("--bulk-temperature is for data in SI units");
+  if (const std::string bulk = those(bulk_options, o, true); !si && !bulk.empty())
+    throw std::invalid_argument("for data in SI units only:" + bulk);
+  if (si && o.bulk_difference)
+    throw std::invalid_argument("data in SI units exclude --bulk-difference");
+  if (o.bulk_temperature_2 && !o.bulk_temperature)
+    throw std::invalid_argument("--bulk-temperature-2 needs --bulk-temperature");
   if (si && o.friction_reference_temperature && !o.bulk_temperature)
     throw std::invalid_argument(
         "--friction-reference-temperature in degree C needs --bulk-temperature");
@@ -307,6 +319,7 @@ GivenScene read_scene(const SceneOptions& o) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
     Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
     if (law) scene.law = *law;
+    scene.bulk_difference = o.bulk_difference.value_or(0);
     return {scene, x, approach, {}, {}};
   }
   if (o.peclet || o.heating)
@@ -319,6 +332,7 @@ GivenScene read_scene(const SceneOptions& o) {
   read_roller(o, si);
   si.direction = direction;
   si.bulk_temperature = o.bulk_temperature;
+  si.bulk_temperature_2 = o.bulk_temperature_2;
   si.law = law;
   return {{o.friction, 0, 0}, x, approach, si, o.radius};
 }

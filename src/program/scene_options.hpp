@@ -28,7 +28,8 @@ struct SceneOptions {
   Maybe conductivity_ratio, heating_2, peclet_2;
   Maybe conductivity_2, expansion_2, diffusivity_2;
   std::string friction_law = "constant", branch;
-  Maybe friction_temperature, friction_floor, friction_reference_temperature, bulk_temperature;
+  Maybe friction_temperature, friction_floor, friction_reference_temperature;
+  Maybe bulk_temperature, bulk_temperature_2, bulk_difference;
   std::string method = "auto", formulation = "corrected";
   std::optional<int> nodes;
   Maybe tolerance;

@@ -35,15 +35,6 @@ std::shared_ptr<const PairTable> table_of(const Scene& pair, bool crossing) {
   return made;
 }
 
-double crossing_ahead(const Conduction& c, const Eigen::ArrayXd& distance,
-                      const Eigen::ArrayXd& heat) {
-  if (!c.pair) return 0;
-  double crosses = 0;
-  for (Eigen::Index i = 0; i < heat.size(); ++i)
-    crosses += std::abs(heat(i) * farther_ahead(*c.pair, distance(i)));
-  return crosses / heat.abs().sum();
-}
-
 Conduction::Conduction(const Scene& scene, bool crossing) : peclet(scene.peclet) {
   if (!is_unlike(scene)) return;
   peclet = std::max(scene.peclet, peclet_2(scene));

@@ -25,11 +25,6 @@ struct Conduction {
 /// The kernels at all of these distances |zeta| > 0.
 std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta);
 
-/// The share of the heat, given with its distances from the leading edge, that would cross ahead of
-/// it, @eq:crossing-ahead; 0 for bodies of one diffusivity.
-double crossing_ahead(const Conduction& c, const Eigen::ArrayXd& distance,
-                      const Eigen::ArrayXd& heat);
-
 /// T* at the distance zeta > 0 ahead of a source over that behind it; one, or all of them.
 double upstream_share(const Conduction& c, double zeta);
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta);

@@ -112,15 +112,6 @@ struct Refinement {
   double error = 1;
 };
 
-double ahead(const Scene& scene, const GridSolution& level) {
-  if (!is_unlike(scene)) return 0;
-  const GaussLegendre& rule = gauss_legendre(static_cast<int>(level.h.size()));
-  const Nodes z = place_nodes(level.at, rule, rule);
-  const ArrayXd heat = z.heat.transpose().array() * (rule.p * level.h).array();
-  return crossing_ahead(Conduction(scene, !exchanges(scene, level.at)),
-                        level.at.stick + level.at.slip * z.t, heat);
-}
-
 Results scale_in(const Scene& scene, const Results& value) {
   Results scale = scale_of(value);
   const double bulk = std::abs(scene.bulk_difference);
@@ -143,7 +134,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const Results change = (moved / scale).max(remembered * before.change);
   const double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()
                            : estimate(change, now, then, n, slow);
-  return {value, change, left + rounding(given, slope, scale) + ahead(scene, level)};
+  return {value, change, left + rounding(given, slope, scale)};
 }
 
 CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
@@ -222,22 +213,10 @@ Results carter_slope(const Carter& c, Quantity by) {
   return change / change(by);
 }
 
-void refuse_short_contact(double ahead, double tolerance) {
-  if (ahead <= tolerance / 2) return;
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "coupled: of the heat of unlike bodies %.1e would cross ahead of the contact, where "
-      "they do not touch: more than half the tolerance %g",
-      ahead, tolerance);
-  throw std::runtime_error(text);
-}
-
 CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
                        const Prescribed& given, GridSolution level, Results& slope,
                        const NextGrid& next) {
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
-  refuse_short_contact(ahead(scene, level), tolerance);
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));

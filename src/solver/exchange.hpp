@@ -1,4 +1,4 @@
-// Tangled from paper/23-unlike-exchange.md; edit there.
+// Tangled from paper/24-exchanged-heat.md; edit there.
 #pragma once
 
 #include <Eigen/Core>

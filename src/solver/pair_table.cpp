@@ -38,10 +38,9 @@ Number crossing(const Scene& scene, const Number& a, const Number& b) {
   return 2 * k * (scene.peclet - peclet_2(scene)) / ((a + b) * (a + k * b));
 }
 
-/// At the place u of the exponential exp(-u z): of the slope, the strain, the temperature, and the
-/// share of the heat that crosses farther ahead than z.
+/// At the place u of the exponential exp(-u z): of the slope, the strain and the temperature.
 struct Density {
-  double slope, strain, temperature, ahead;
+  double slope, strain, temperature;
 };
 
 Density upstream(const Scene& scene, double u) {
@@ -51,7 +50,7 @@ Density upstream(const Scene& scene, double u) {
   const double h1 = scene.heating, h2 = scene.roller.heating;
   return {imag(delta * (h1 * (1.0 + i * a1) - h2 * (1.0 + i * a2))) / pi,
           imag(delta * (h1 * a1 + h2 * a2)) - real(delta) * (h1 + h2),
-          imag(delta / (std::sqrt(u) * a)), imag(delta) / (pi * u)};
+          imag(delta / (std::sqrt(u) * a))};
 }
 
 Density downstream(const Scene& scene, double u) {
@@ -60,7 +59,7 @@ Density downstream(const Scene& scene, double u) {
   const auto strain = [&](double peclet, double of) { return 2 * peclet / (of * (of + root)); };
   const double h1 = scene.heating, h2 = scene.roller.heating;
   return {0, delta * (h1 * strain(scene.peclet, a) + h2 * strain(peclet_2(scene), b)),
-          delta / (root * a), 0};
+          delta / (root * a)};
 }
 
 /// Add panels from a place where a density is as a square root, to another; the first is so long.
@@ -102,16 +101,16 @@ Exponentials downstream_exponentials(double low, double high) {
 
 template <class Function>
 Densities densities(const Exponentials& of, const Function& density) {
-  Densities all(4, static_cast<Eigen::Index>(of.u.size()));
+  Densities all(3, static_cast<Eigen::Index>(of.u.size()));
   for (std::size_t i = 0; i < of.u.size(); ++i) {
     const Density at = density(of.u[i]);
-    all.col(static_cast<Eigen::Index>(i)) << at.slope, at.strain, at.temperature, at.ahead;
+    all.col(static_cast<Eigen::Index>(i)) << at.slope, at.strain, at.temperature;
     all.col(static_cast<Eigen::Index>(i)) *= of.w[i];
   }
   return all;
 }
 
-Eigen::Vector4d sum(const Exponentials& of, const Densities& density, double z) {
+Eigen::Vector3d sum(const Exponentials& of, const Densities& density, double z) {
   const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
   return density * (-z * u).exp().matrix();
 }
@@ -120,8 +119,7 @@ Eigen::Vector4d sum(const Exponentials& of, const Densities& density, double z) 
 
 Remainders all_exponentials(const PairTable& table, double z) {
   Remainders r;
-  r << sum(table.up, table.up_density, z).head<3>(),
-      sum(table.down, table.down_density, z).segment<2>(1);
+  r << sum(table.up, table.up_density, z), sum(table.down, table.down_density, z).segment<2>(1);
   return r;
 }
 
@@ -169,7 +167,7 @@ void add_octave(PairTable& table, const Densities& up, const Densities& down) {
   const Eigen::MatrixXd to_powers = powers(cell_places()).inverse();
   for (const int half : {0, places}) {
     Eigen::Matrix<double, places, 5> values;
-    values << up.middleCols<places>(half).topRows<3>().transpose(),
+    values << up.middleCols<places>(half).transpose(),
         down.middleCols<places>(half).middleRows<2>(1).transpose();
     const Eigen::Matrix<double, places, 5> c = to_powers * values;
     for (int i = 0; i < places; ++i) table.coefficients.push_back(c.row(i).transpose());
@@ -201,10 +199,6 @@ PairTable::PairTable(const Scene& pair, bool crossing)
     add_octave(*this, up_density * of_up.matrix(), down_density * of_down.matrix());
     z *= 2;
   }
-}
-
-double farther_ahead(const PairTable& table, double z) {
-  return sum(table.up, table.up_density, z)(3);
 }
 
 }  // namespace thermoroll

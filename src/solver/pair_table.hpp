@@ -17,7 +17,7 @@ struct Exponentials {
 /// The remainders of @eq:pair-kernels, by distance: the slope, the strain and the temperature
 /// upstream, then strain and temperature downstream.
 using Remainders = Eigen::Matrix<double, 5, 1>;
-using Densities = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+using Densities = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
 struct PairTable {
   explicit PairTable(const Scene& pair, bool crossing = true);  // false: the uniform share
@@ -32,8 +32,5 @@ struct PairTable {
 
 /// The remainders at the distance z > 0 in half-widths without the table, for its tests.
 Remainders all_exponentials(const PairTable& table, double z);
-
-/// The share of the heat of a source that crosses farther ahead than z, over omega.
-double farther_ahead(const PairTable& table, double z);
 
 }  // namespace thermoroll

@@ -108,6 +108,11 @@ void check_method(const Scene& scene, const Prescribed& given, Method method) {
     throw std::invalid_argument("a bulk difference needs the method coupled or auto");
   if (is_unlike(scene) && lesser)
     throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
+  if (scene.bulk_difference != 0 && scene.law && given.quantity == traction)
+    throw std::invalid_argument(
+        "with a law of friction and a bulk difference, give the creep or the border: the maximum "
+        "of "
+        "the traction is not sought there");
   if (!scene.law && given.branch == Branch::falling)
     throw std::invalid_argument("branch = falling is not allowed: friction is constant");
 }
@@ -449,6 +454,8 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {
   require(depth >= 0, "depth", depth, "zero or positive");
+  const bool exchanging = is_unlike(x.scene) || x.scene.bulk_difference != 0;
+  require(depth == 0 || !exchanging, "depth", depth, "0 where heat crosses between the bodies");
   if (const auto* scheme = std::get_if<PublishedSolution>(&x.found)) {
     require(depth == 0, "depth", depth, "0 with gauss-chebyshev, whose rule is for the surface");
     return scheme_curve(x.scene, *scheme, at);

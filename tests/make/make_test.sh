@@ -72,7 +72,7 @@ SecondRunDoesNothing() { # in the copy
 
 ProseEditRewritesTheReportOnly() { # in the copy
   in_copy reproduce
-  printf '\nOne sentence more.\n' >>paper/23-conclusions.md
+  printf '\nOne sentence more.\n' >>paper/25-conclusions.md
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' \

@@ -49,15 +49,6 @@ double transform(const PairTable& table, int remainder, double p, double reach) 
   return integrate([&](double z) { return table(z)(remainder) * std::exp(p * z); }, points).value;
 }
 
-// The share of the total is that of p = 0. All factors are of order one, and the sum of
-// exponentials has about a thousand terms.
-TEST(UnlikeBodies, TheTotalIsSharedAsTheEffusivities) {
-  for (const Scene& x : pairs()) {
-    const double omega = heat_share(x), crosses = farther_ahead(PairTable(x), 0);
-    EXPECT_NEAR(omega * (1 + crosses), effusivity_share(x), 1e-12);
-  }
-}
-
 // From 2^-24 / (2 Pe) of the faster body on the table is as good as its exponentials, which are
 // squared up to seven times: 2^7 epsilon each, and ten times that in their sum, are 3e-13 of the
 // largest values; ten times that is allowed.

@@ -74,8 +74,9 @@ struct PhysicalScene {
   double conductivity_2 = 0;  ///< that of the cylinder, W/(m degree C); 0 for an insulator
   double diffusivity_2 = 0;   ///< that of the cylinder, m^2/s; 0 for that of the half-space
   Direction direction = Direction::driving;
-  std::optional<double> bulk_temperature{};  ///< of both bodies far away, degree C
-  std::optional<LawOfFriction> law{};        ///< of friction by the rise over it, degree C
+  std::optional<double> bulk_temperature{};    ///< of the half-space far away, degree C
+  std::optional<double> bulk_temperature_2{};  ///< of the cylinder, or that of the half-space
+  std::optional<LawOfFriction> law{};          ///< of friction by the rise over it, degree C
 };
 
 /// The SI value of one dimensionless unit (@eq:scaled-variables, @eq:temperature-scale).
