@@ -573,14 +573,14 @@ local function coloured_once(text, language)
 end
 
 --- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link. Operators,
---- functions, attributes, includes and numbers have no colour of their own; their tags would be a quarter of the report.
+--- functions, attributes, includes, strings and numbers have no colour of their own; their tags would be a quarter of the report.
 local function highlighted(lines, language, colour)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
   local out = {}
   for line in (colour(text, language) .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
-    for _, plain in ipairs { "op", "bu", "fu", "at", "dv", "fl", "im", "pp" } do
+    for _, plain in ipairs { "op", "bu", "fu", "at", "dv", "fl", "im", "pp", "st", "sc", "ch", "vs" } do
       inside = inside:gsub('<span class="' .. plain .. '">([^<]*)</span>', "%1")
     end
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
@@ -738,10 +738,10 @@ local function chunk_index()
     local places = pandoc.List(chunk.pieces):map(function(piece)
       return link(anchor(piece), (chunk.of_parts and piece.html_title .. " " or "") .. where(piece))
     end)
-    table.insert(out, string.format("<li>%s<div><code>%s</code> · defined at %s%s%s</div></li>",
-      link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name), table.concat(places, ", "),
-      chunk.file and " · file " .. file_link(chunk.file) or "",
-      #chunk.users > 0 and " · used in " .. joined(chunk.users) or ""))
+    table.insert(out, string.format("<li>%s<div><code>%s</code>%s%s</div></li>",
+      link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name),
+      #places > 1 and " · defined at " .. table.concat(places, ", ") or "",
+      chunk.file and " · file " .. file_link(chunk.file) or ""))
   end
   table.insert(out, "</ul>")
   return raw(table.concat(out, "\n"))

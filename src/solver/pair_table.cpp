@@ -15,10 +15,10 @@ namespace {
 
 using complex = std::complex<double>;
 
-constexpr int places = 14;  // of the polynomials of a cell
+constexpr int cell_nodes = 14;  // of the polynomials of a cell
 
 Eigen::ArrayXd cell_places() {
-  return (pi * (Eigen::ArrayXd::LinSpaced(places, 0, places - 1) + 0.5) / places).cos();
+  return (pi * (Eigen::ArrayXd::LinSpaced(cell_nodes, 0, cell_nodes - 1) + 0.5) / cell_nodes).cos();
 }
 
 Eigen::MatrixXd powers(const Eigen::ArrayXd& x) {
@@ -144,12 +144,12 @@ double place_in(const Cell& cell) {
 Remainders PairTable::operator()(double z) const {
   if (coefficients.empty()) return Remainders::Zero();
   const Cell cell = cell_of(z);
-  const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / places;
+  const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / cell_nodes;
   if (at >= cells) return all_exponentials(*this, z);
-  const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0)) * places];
+  const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0)) * cell_nodes];
   const double x = at < 0 ? -1 : cell.x;  // next to zero they are constant
-  Remainders sum = c[places - 1];
-  for (int i = places - 1; i-- > 0;) sum = sum * x + c[i];
+  Remainders sum = c[cell_nodes - 1];
+  for (int i = cell_nodes - 1; i-- > 0;) sum = sum * x + c[i];
   return sum;
 }
 
@@ -165,12 +165,12 @@ void next_octave(Eigen::ArrayXXd& powers, const Exponentials& of, const Eigen::A
 
 void add_octave(PairTable& table, const Densities& up, const Densities& down) {
   const Eigen::MatrixXd to_powers = powers(cell_places()).inverse();
-  for (const int half : {0, places}) {
-    Eigen::Matrix<double, places, 5> values;
-    values << up.middleCols<places>(half).transpose(),
-        down.middleCols<places>(half).middleRows<2>(1).transpose();
-    const Eigen::Matrix<double, places, 5> c = to_powers * values;
-    for (int i = 0; i < places; ++i) table.coefficients.push_back(c.row(i).transpose());
+  for (const int half : {0, cell_nodes}) {
+    Eigen::Matrix<double, cell_nodes, 5> values;
+    values << up.middleCols<cell_nodes>(half).transpose(),
+        down.middleCols<cell_nodes>(half).middleRows<2>(1).transpose();
+    const Eigen::Matrix<double, cell_nodes, 5> c = to_powers * values;
+    for (int i = 0; i < cell_nodes; ++i) table.coefficients.push_back(c.row(i).transpose());
   }
 }
 
@@ -187,10 +187,10 @@ PairTable::PairTable(const Scene& pair, bool crossing)
   up_density = densities(up, [&](double u) { return upstream(pair, u); });
   down_density = densities(down, [&](double u) { return downstream(pair, u); });
   first = cell_of(0x1p-24 / high).number & ~1;
-  Eigen::ArrayXd z(2 * places);
-  for (int i = 0; i < places; ++i) {
+  Eigen::ArrayXd z(2 * cell_nodes);
+  for (int i = 0; i < cell_nodes; ++i) {
     z(i) = place_in({first, cell_places()(i)});
-    z(places + i) = place_in({first + 1, cell_places()(i)});
+    z(cell_nodes + i) = place_in({first + 1, cell_places()(i)});
   }
   Eigen::ArrayXXd of_up, of_down;
   for (int octave = 0; z(0) < 4; ++octave) {

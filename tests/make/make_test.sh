@@ -85,7 +85,7 @@ ProseEditRewritesTheReportOnly() { # in the copy
 
 DraftIsOneChapter() { # in the copy
   in_copy reproduce
-  make draft CHAPTER=23 >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  make draft CHAPTER=25 >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   [ -z "$(steps "$work/log")" ] || fail "more was made: $(cat "$work/log")"
   grep -q '<h2[^>]*sec:conclusions' build/draft.html || fail "the chapter is not there"
   [ "$(grep -c '<h2' build/draft.html)" -le 2 ] || fail "more than a chapter and its references"
@@ -267,7 +267,8 @@ SetupWithoutDebian() {
 }
 
 # The print has the text and the chunks of the chapters, each once. The program's plumbing in the
-# appendices, the assembled files, the scripts and the index, which need the screen, stay folded.
+# appendices, what writes the data, the assembled files, the scripts and the index, which need the
+# screen, stay folded.
 PrintIsShort() { # in the copy
   in_copy report
   make pdf >"$work/log" 2>&1 || fail "$(cat "$work/log")"
