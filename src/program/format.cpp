@@ -344,7 +344,7 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     plain("conductivity_ratio", "K2/K1");
     plain("peclet_2", "Pe2");
     plain("effusivity_ratio", "e2/e1");
-    plain("heat_partition", "omega");
+    plain("heat_partition", is_unlike(x.scene) ? "" : "omega");
   }
   if (x.scene.bulk_difference != 0)
     for (const char* name : {"bulk_difference", "exchanged_heat", "no_slip_traction",
