@@ -463,9 +463,11 @@ std::string present(const Solution& x, const std::optional<FoundInSi>& physical,
 }
 
 std::string present(const std::vector<Claim>& claims, Format format) {
-  Table table{{"claim", "paper", "printed", "converged", "verdict"}};
+  Table table{
+      {"claim", "source", "paper", "published_scheme", "converged", "corrected", "verdict"}};
   for (const Claim& c : claims)
-    table.push_back({c.claim, c.paper, c.published, c.converged, c.verdict});
+    table.push_back(
+        {c.claim, c.source, c.paper, c.published, c.converged, c.corrected, c.verdict.words});
   if (format == Format::text) return aligned(table);
   if (format == Format::json) return claims_json(table).dump(2) + '\n';
   std::string text;

@@ -6,26 +6,39 @@
 
 namespace thermoroll {
 
-/// A statement of the paper beside what we find; every field is text for a table.
+enum class Judgement { holds, restricted, near, not_reproduced, fails, untestable };
+struct Verdict {
+  Judgement outcome;
+  std::string words;
+};
+
+/// A statement of the paper beside what we find; all fields but the verdict are text for a table.
 struct Claim {
   std::string claim;      ///< what the paper says
+  std::string source;     ///< its page, figure or equation there
   std::string paper;      ///< its value
   std::string published;  ///< the published scheme's value, run again
-  std::string converged;  ///< the converged value
-  std::string verdict;
+  std::string converged;  ///< the converged value, with the sign as printed
+  std::string corrected;  ///< and with the corrected sign
+  Verdict verdict;
+  std::string section;  ///< the label of the section of this report with the evidence
 };
 
 /// Every claim of the paper's text that is computed; runs the published scheme some forty times.
 std::vector<Claim> claims();
 
+/// The number of claims with an outcome.
+int count_of(const std::vector<Claim>& all, Judgement outcome);
+
 /// The verdict on a number, given as the paper prints it, beside ours > 0: "holds" within half a
-/// per cent, "holds, rounded" if ours rounds to it, else "paper 4.0 % low".
-std::string verdict_on(const std::string& paper, double ours);
+/// per cent, "holds, rounded" if ours rounds to it, up to five per cent "paper 4.0 % low", else
+/// "not reproduced: 6.7 % high".
+Verdict verdict_on(const std::string& paper, double ours);
 
-/// "holds" or "does not hold"; what holds may say how: "holds, by construction".
-std::string verdict(bool holds, const std::string& how = "");
+/// "holds" or "does not hold"; what holds may have a restriction: "holds, by construction".
+Verdict verdict(bool holds, const std::string& restriction = "");
 
-/// The claim that an iteration on `unknown` takes at most so many steps; found are those it takes.
+/// The claim that an iteration on `unknown` took so many steps at most; found are those it takes.
 Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged);
 
 /// How the published scheme fares over the paper's sixteen scenes with 50 and with 200 nodes, run

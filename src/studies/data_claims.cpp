@@ -10,6 +10,8 @@ namespace {
 const std::pair<std::string, std::string> symbols[] = {
     {"T*max", "$T^*_{\\max}$"},
     {"|q| < f p", "$|q|<fp$"},
+    {"p* ", "$p^*$ "},
+    {"q* ", "$q^*$ "},
     {"1 − κ", "$1-\\kappa$"},
     {"γ0", "$\\gamma_0$"},
     {"Pe", "$\\mathrm{Pe}$"},
@@ -29,10 +31,12 @@ std::string in_tex(std::string text) {
 }
 
 void claims_table(std::ostream& out) {
-  row(out, "the paper says", "paper", "published scheme", "converged", "verdict");
+  row(out, "the paper says", "where", "paper", "published scheme", "converged", "corrected sign",
+      "verdict", "evidence");
   const auto cell = [](const std::string& text) { return '"' + in_tex(text) + '"'; };
   for (const Claim& c : claims())
-    row(out, cell(c.claim), cell(c.paper), cell(c.published), cell(c.converged), cell(c.verdict));
+    row(out, cell(c.claim), cell(c.source), cell(c.paper), cell(c.published), cell(c.converged),
+        cell(c.corrected), cell(c.verdict.words), '@' + c.section);
 }
 
 const FigureData claims_data{"claims", claims_table};

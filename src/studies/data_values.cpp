@@ -130,6 +130,23 @@ void values_to_first_order(nlohmann::ordered_json& v) {
   v["kappa_first_order_error"] = fixed(100 * (kappa_first / kappa - 1), 0);
 }
 
+void values_of_the_claims(nlohmann::ordered_json& v) {
+  const std::vector<Claim> all = claims();
+  v["claims_all"] = std::to_string(all.size());
+  const int restricted = count_of(all, Judgement::restricted);
+  v["claims_hold"] = std::to_string(count_of(all, Judgement::holds) + restricted);
+  v["claims_restricted"] = std::to_string(restricted);
+  v["claims_near"] = std::to_string(count_of(all, Judgement::near));
+  v["claims_not_reproduced"] = std::to_string(count_of(all, Judgement::not_reproduced));
+  v["claims_fail"] = std::to_string(count_of(all, Judgement::fails));
+  v["claims_untestable"] = std::to_string(count_of(all, Judgement::untestable));
+  const PhysicalScene steel = wheel_on_rail();
+  const double hottest = paper::coupled(0.59, 15000).value(Quantity::max_temperature);
+  v["celsius_largest"] = fixed(hottest * celsius_per_unit(75), 0);
+  v["transit_time"] = fixed(1000 * steel.half_width / steel.speed, 2);
+  v["contraction_35"] = fixed(std::pow(1e-3, 1 / 35.0), 2);
+}
+
 void values_of_what_is_open(nlohmann::ordered_json& v) {
   PublishedOptions other;
   other.heaviside_at_zero = 1;
@@ -148,11 +165,12 @@ void values_of_what_is_open(nlohmann::ordered_json& v) {
 
 void values(std::ostream& out) {
   nlohmann::ordered_json v;
-  for (const auto add : {values_of_steel, values_with_heat, values_of_the_largest_temperature,
-                         values_in_degrees, values_of_the_nodes, values_of_the_load_ratio,
-                         values_to_first_order, values_of_what_is_open, values_on_resolution,
-                         values_on_failures, values_on_least_model, values_on_what_heat_can_do,
-                         values_on_two_bodies, values_on_full_slip, values_on_hot_friction})
+  for (const auto add :
+       {values_of_steel, values_with_heat, values_of_the_largest_temperature, values_in_degrees,
+        values_of_the_nodes, values_of_the_load_ratio, values_to_first_order,
+        values_of_what_is_open, values_on_resolution, values_on_failures, values_on_least_model,
+        values_on_what_heat_can_do, values_on_two_bodies, values_on_full_slip,
+        values_on_hot_friction, values_of_the_claims})
     add(v);
   out << v.dump(2) << '\n';
 }

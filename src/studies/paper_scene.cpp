@@ -15,8 +15,8 @@ double scheme_max(double q, double pe, const PublishedOptions& options) {
   return published_max_temperature(scheme(q, pe, options), pe).temperature;
 }
 
-CoupledSolution coupled(double q, double pe) {
-  return solve_coupled(scene(pe), formulation, 1e-8, {Quantity::traction, q});
+CoupledSolution coupled(double q, double pe, Formulation with) {
+  return solve_coupled(scene(pe), with, 1e-8, {Quantity::traction, q});
 }
 
 }  // namespace thermoroll::paper

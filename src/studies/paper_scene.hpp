@@ -27,6 +27,6 @@ PublishedSolution scheme(double q, double pe, const PublishedOptions& options = 
 double scheme_max(double q, double pe, const PublishedOptions& options = {});
 
 /// By the coupled solver, to 1e-8.
-CoupledSolution coupled(double q, double pe);
+CoupledSolution coupled(double q, double pe, Formulation with = formulation);
 
 }  // namespace thermoroll::paper

@@ -6,7 +6,7 @@ set -eu
 only=${1:-}
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export folder=$PWD/build/mutants
-export project=$folder/project table=$folder/table results=$folder/results limit=0
+export project=$folder/project table=$folder/table results=$folder/results limit=0 long= slow=
 unset MUTANT
 
 # A copy of the project in which src/ has the mutants; what did not change is not compiled again.
@@ -49,7 +49,7 @@ run_tests() {
     echo "add_test(Data.$name bash -c [=[$folder/build/thermoroll figure-data $name --output $file && \
       $folder/build/tests/figures/figures-test --gtest_filter='$test']=])" >>"$own/CTestTestfile.cmake"
   done
-  ctest --test-dir "$own" --no-tests=error -E SameWithSanitizers "$@"
+  ctest --test-dir "$own" -E "SameWithSanitizers${slow:+|^($slow)$}" "$@"
 }
 export -f run_tests
 
@@ -61,23 +61,36 @@ expression() { echo "^${1//./\\.}"; }
 try_without() {
   local word own=$results/0 log=$results/0.log
   for word in $(cut -f3 "$table" | tr ' ' '\n' | sort -u); do
-    run_tests "$own" -j "$jobs" -R "$(expression "$word")" --output-on-failure >"$own.now" 2>&1 ||
+    run_tests "$own" --no-tests=error -j "$jobs" -R "$(expression "$word")" --output-on-failure \
+      >"$own.now" 2>&1 ||
       { sed -n '/^The following tests FAILED/,$p; s/^No tests were found.*/no test is '"$word/p" "$own.now" >&2; exit 2; }
     cat "$own.now" >>"$log"
   done
   limit=$(awk '$NF == "sec" && $(NF - 1) > most { most = $(NF - 1) } END { print int(5 + 10 * most) }' "$log")
+  long=$(sed -nE 's/.*Test +#[0-9]+: ([^ ]+) .* Passed +([0-9.]+) sec.*/\2 \1/p' "$log" |
+    awk '$1 > 1 { print $2 }' | sort -u)
 }
 
-# try NUMBER: the tests of a mutant in turn, until one fails.
+# fails OPTION...: whether a test of the mutant $number fails; $killer is its name.
+fails() {
+  MUTANT=$number run_tests "$own" --stop-on-failure --timeout "$limit" "$@" >"$own.log" 2>&1 && return 1
+  killer=$(sed -n 's/^\t *[0-9]* - \(.*\) (.*)$/\1/p' "$own.log" | head -1)
+  killer=${killer:-one}
+}
+
+# try NUMBER: the tests of a mutant in turn, until one fails; those that take longer than a second last.
 try() {
-  local number file tests equivalent name word own=$results/$1 killer=
+  local number file tests equivalent name word test slow own=$results/$1 killer=
   IFS=$'\t' read -r number file tests equivalent name < <(awk -v number="$1" '$1 == number' "$table")
+  slow=$(paste -sd'|' <<<"$long")
   for word in $tests; do
-    MUTANT=$number run_tests "$own" -R "$(expression "$word")" --stop-on-failure --timeout "$limit" \
-      >"$own.log" 2>&1 && continue
-    killer=$(sed -n 's/^\t *[0-9]* - \(.*\) (.*)$/\1/p' "$own.log" | head -1)
-    killer=${killer:-$word}
-    break
+    fails -R "$(expression "$word")" && break
+  done
+  slow=
+  for test in $long; do
+    for word in $tests; do
+      [ -n "$killer" ] || [[ $test != "$word"* ]] || fails -R "$(expression "$test")\$" || true
+    done
   done
   rm -rf "$own"
   if [ "$equivalent" != - ]; then
@@ -90,7 +103,7 @@ try() {
     echo "$number $file: $name: survives"
   fi
 }
-export -f try expression
+export -f try fails expression
 
 copy_project
 choose
@@ -101,6 +114,7 @@ cmake -S "$project" -B "$folder/build" -DTHERMOROLL_TESTS=ON -DTHERMOROLL_ROOT=.
 data=$("$folder/build/thermoroll" figure-data --list)
 export data
 try_without
+export long
 cut -f1 "$table" | xargs -P "$jobs" -I{} bash -c 'try {}'
 awk '
   { ++count[$1]; wrong += $1 == "equivalent" && NF > 1 }

@@ -1562,17 +1562,17 @@ FigureData() {
 
 ClaimsInThreeFormats() {
   answers claims
-  head -1 out | grep -q '^claim  *paper  *printed  *converged  *verdict$' || fail "$(head -1 out)"
+  head -1 out | grep -q '^claim  *source  *paper  *published_scheme  *converged  *corrected  *verdict$' || fail "$(head -1 out)"
   local rows=$(($(wc -l <out) - 1))
   [ $rows -ge 10 ] || fail "$rows claims"
   answers claims --format json
   [ "$(grep -c '"claim": ' out)" -eq $rows ] || fail "the JSON has other rows"
-  [ "$(grep -o '"[a-z]*": ' out | head -5 | tr -d '": ' | paste -sd' ')" = \
-    "claim paper printed converged verdict" ] || fail "keys: $(head -8 out)"
+  [ "$(grep -o '"[a-z_]*": ' out | head -7 | tr -d '": ' | paste -sd' ')" = \
+    "claim source paper published_scheme converged corrected verdict" ] || fail "keys: $(head -8 out)"
   answers claims --format csv
   [ "$(wc -l <out)" -eq $((rows + 1)) ] || fail "the CSV has other rows"
-  # every row has five cells, commas within quotes not counted
-  sed 's/"[^"]*"//g' out | awk -F, 'NF != 5 { exit 1 }' || fail "$(cat out)"
+  # every row has seven cells, commas within quotes not counted
+  sed 's/"[^"]*"//g' out | awk -F, 'NF != 7 { exit 1 }' || fail "$(cat out)"
 }
 
 Version() {
