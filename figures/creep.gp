@@ -4,7 +4,8 @@ load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
 eval range(0, 0.45, 0, 0.7)
 eval axes('ξ*', 'Q*')
-eval key(0.42, 0.30)
+eval line_entry(0.42, 0.30, 'linewidth 1.25', 'closed form, {/:Italic H} = 0')
+eval point_entry(0.42, 0.225, 'published scheme, {/:Italic n} = 200')
 set xtics 0.1
 set ytics 0.1
 friction = 0.6

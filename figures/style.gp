@@ -65,14 +65,18 @@ thinned(x, y) = y == y && apart(x, y) \
 leader(x, y, x_curve, y_curve) = sprintf("set arrow from %g, %g to %g, %g nohead back " \
   ."linecolor rgb 'grey50' linewidth 0.4", x, y, x_curve, y_curve)
 
-# The key says only what a line and what a point is; the curves carry their own labels. The lines
-# leave out what heat does to the tractions, as if nothing expanded: H = 0.
-# (x, y) is its upper left corner in the plot's own unit square.
-key(x, y) = sprintf("set arrow from graph %g, graph %g rto graph 0.05, 0 nohead linewidth 1.25; " \
-  ."set label 'converged, {/:Italic H} = 0' at graph %g, graph %g; " \
-  ."set label 'published scheme, {/:Italic n} = 200' at graph %g, graph %g", \
-  x, y, x + 0.07, y, x + 0.07, y - 0.075) \
-  .sprintf("; set label '' at graph %g, graph %g point linetype 5", x + 0.025, y - 0.075)
+# The key says only what a line and what a point is; the curves carry their own labels. (x, y) is its
+# upper left corner in the plot's own unit square; `entry` is one row of it.
+entry(x, y, text) = sprintf("set label '%s' at graph %g, graph %g; ", text, x + 0.08, y)
+line_entry(x, y, style, text) = entry(x, y, text) \
+  .sprintf("set arrow from graph %g, graph %g rto graph 0.06, 0 nohead %s; ", x, y, style)
+point_entry(x, y, text) = entry(x, y, text) \
+  .sprintf("set label '' at graph %g, graph %g point linetype 5; ", x + 0.03, y)
+key(x, y) = line_entry(x, y, 'linewidth 1.25', 'coupled') \
+  .point_entry(x, y - 0.075, 'published scheme, {/:Italic n} = 200')
+heat_key(x, y) = line_entry(x, y, 'linewidth 1.25', 'coupled') \
+  .line_entry(x, y - 0.07, "linecolor rgb 'grey50' linewidth 0.5", 'without heat, {/:Italic H} = 0') \
+  .point_entry(x, y - 0.14, 'published scheme')
 
 # A family of curves: `quantity` (a column of the data) over s, one curve for each of four `values`
 # of a `parameter` (a column, too, written `symbol` in the picture). A script sets these and says
@@ -80,27 +84,42 @@ key(x, y) = sprintf("set arrow from graph %g, graph %g rto graph 0.05, 0 nohead 
 number(i) = word(values, i) + 0
 member(method, i) = row("method", method, parameter, number(i), column(quantity))
 label(i) = symbol.' = '.word(values, i)
-draw_family = 'plot for [i = 1:4] data using "s":(member("converged", i)) ' \
-  .'with lines linetype i title label(i).", converged" noenhanced, ' \
-  .'for [i = 1:4] data using "s":(thinned(column("s"), member("printed", i))) ' \
+lines(method, word) = 'for [i = 1:4] data using "s":(member("'.method.'", i)) with lines '.word.', '
+draw_family = 'plot '.lines('corrected', 'linetype i title label(i).", coupled" noenhanced') \
+  .'for [i = 1:4] data using "s":(thinned(column("s"), member("scheme", i))) ' \
   .'with points linetype 5 title label(i).", published scheme" noenhanced'
+
+# Above, such a family with thin lines for what it is without heat; below, what heat changes at one
+# load, with the sign as corrected, as printed, and by the published scheme, which has the latter.
+upper_panel = "set tmargin at screen 0.935; set bmargin at screen 0.43"
+lower_panel = "unset label; unset arrow; set tmargin at screen 0.325; set bmargin at screen 0.09; " \
+  ."drawn = 0"
+draw_hot_family = "set lmargin at screen 0.125; plot " \
+  .lines('cold', 'linecolor rgb "grey50" linewidth 0.5 title label(i).", without heat" noenhanced') \
+  .draw_family[6:]
+change_axes(what) = "set xlabel '{/:Italic s}' offset 0,0.9; " \
+  .sprintf("set label 100 '{/:Italic Δ%s}, change by heat at {/:Italic Q*} = 0.5' ", what) \
+  ."at graph 0, graph 1.1 left offset -1,0"
+change(method) = row("method", method, parameter, 0.5, column("change"))
+change_key(x, y) = line_entry(x, y, 'linetype 3 dashtype solid', 'corrected sign') \
+  .line_entry(x, y - 0.15, 'linetype 3', 'sign as printed') \
+  .point_entry(x, y - 0.3, 'published scheme')
+draw_changes = 'plot data using "s":(change("corrected")) with lines linetype 3 dashtype solid ' \
+  .'title "corrected", data using "s":(change("printed")) with lines linetype 3 title "printed", ' \
+  .'data using "s":(thinned(column("s"), change("scheme"))) with points linetype 5 title "scheme"'
 
 # Each label stands on a short grey leader from its curve's end, lifted where it would touch the one
 # below; `order` has the indices of the values from the lowest curve up, the last one the symbol.
-level = -1e9
+labelled = "corrected"; level = -1e9
 lifted(height) = level = height > level + gap ? height : level + gap
 margin_label(text, height) = sprintf("set arrow from x_max, %.6g to graph 1.035, first %.6g " \
   ."nohead linecolor rgb 'grey50' linewidth 0.4; set label '%s' at graph 1.045, first %.6g", \
   height, lifted(height), text, level)
 label_family = 'set rmargin at screen 0.80; gap = 0.062*(y_max - y_min); do for [k = 1:4] { ' \
   .'i = int(word(order, k)); ' \
-  .'stats data using (column("s") == x_max ? member("converged", i) : NaN) nooutput; ' \
+  .'stats data using (column("s") == x_max ? member(labelled, i) : NaN) nooutput; ' \
   .'eval margin_label(k < 4 ? word(values, i) : "{/:Italic ".symbol."} = ".word(values, i), ' \
   .'STATS_max) }'
-
-# The figures of the surface temperature are all such families, alike but for what they set before.
-temperature_figure = "quantity = 'T'; eval range(-1, 3, 0, T_max); eval axes('s', 'T*'); " \
-  ."eval key(0.53, 0.95); set xtics 1; set ytics T_step; eval label_family; eval draw_family"
 
 # The figures of speed against accuracy: three panels, one quantity each, in each a curve of every
 # method and a point for what has no settings. The times are those of times.csv, beside the data.

@@ -13,39 +13,35 @@
 namespace thermoroll {
 namespace {
 
-void temperature_curve(std::ostream& out, double key, double load, double pe) {
-  const HeatFlux flux = carter_flux(paper::closed_form(load));
+void temperature_curve(std::ostream& out, double load, double pe) {
+  const HeatFlux flux = coupled_flux(paper::coupled(load, pe, Formulation::corrected));
   for (const double s : grid(-1, 3, 400))
-    row(out, "converged", key, s, temperature(flux, pe, s).value);
+    row(out, "corrected", load, pe, s, temperature(flux, pe, s).value);
   const PublishedSolution x = paper::scheme(load, pe);
   std::vector<double> points(x.grid.s.begin(), x.grid.s.end());
   std::reverse(points.begin(), points.end());
   for (const double s : grid(1.1, 3, 19)) points.push_back(s);
-  for (const double s : points) row(out, "printed", key, s, published_temperature(x, pe, s));
+  for (const double s : points) row(out, "scheme", load, pe, s, published_temperature(x, pe, s));
 }
 
-void temperature_by_peclet(std::ostream& out, double load) {
-  row(out, "method", "peclet", "s", "T");
-  for (const double pe : paper::peclets) temperature_curve(out, pe, load, pe);
+void temperature_by_peclet(std::ostream& out) {
+  row(out, "method", "traction", "peclet", "s", "T");
+  for (const double load : paper::tractions)
+    for (const double pe : paper::peclets) temperature_curve(out, load, pe);
 }
 
-FigureData temperature_data(const std::string& panel, double load) {
-  return {"temperature-" + panel, [=](std::ostream& out) { temperature_by_peclet(out, load); }};
-}
-
-const FigureData temperature_panels[] = {temperature_data("a", 0.2), temperature_data("b", 0.4),
-                                         temperature_data("c", 0.5), temperature_data("d", 0.59)};
+const FigureData temperatures_data{"temperatures", temperature_by_peclet};
 
 void temperature_by_load(std::ostream& out) {
-  row(out, "method", "traction", "s", "T");
-  for (const double load : paper::tractions) temperature_curve(out, load, load, 1000);
+  row(out, "method", "traction", "peclet", "s", "T");
+  for (const double load : paper::tractions) temperature_curve(out, load, 1000);
 }
 
 const FigureData temperature_load_data{"temperature-load", temperature_by_load};
 
 void subsurface(std::ostream& out) {
   row(out, "s", "y", "T");
-  const HeatFlux flux = carter_flux(paper::closed_form(0.5));
+  const HeatFlux flux = coupled_flux(paper::coupled(0.5, 100, Formulation::corrected));
   for (const double y : grid(0, 0.5, 40))
     for (const double s : grid(-1.5, 3, 180)) row(out, s, y, temperature(flux, 100, s, y).value);
 }

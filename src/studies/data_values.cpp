@@ -143,6 +143,11 @@ void values_of_the_claims(nlohmann::ordered_json& v) {
   const PhysicalScene steel = wheel_on_rail();
   const double hottest = paper::coupled(0.59, 15000).value(Quantity::max_temperature);
   v["celsius_largest"] = fixed(hottest * celsius_per_unit(75), 0);
+  const Profile hot = profile(paper::coupled(0.5, paper::peclet, Formulation::corrected));
+  const Carter cold = paper::closed_form(0.5);
+  const auto without = hot.s.unaryExpr([&](double s) { return carter_traction(cold, s); });
+  const double largest = (hot.traction - without).abs().maxCoeff();
+  v["largest_traction_change"] = fixed(100 * largest / (2 * paper::friction / pi), 1);
   v["transit_time"] = fixed(1000 * steel.half_width / steel.speed, 2);
   v["contraction_35"] = fixed(std::pow(1e-3, 1 / 35.0), 2);
 }

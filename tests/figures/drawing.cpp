@@ -42,9 +42,12 @@ std::vector<Row> of_panel(const std::vector<Row>& rows, int panel) {
 
 void check_structure(const std::string& figure, const Picture& picture, std::size_t size,
                      Wrong& wrong) {
-  const std::string height = figure.rfind("speed-", 0) == 0 ? "900"
-                             : figure == "cost"             ? "640"
-                                                            : "380";
+  const std::map<std::string, std::string> heights{
+      {"cost", "640"}, {"traction", "600"}, {"slip", "600"}, {"temperatures", "620"}};
+  const auto own = heights.find(figure);
+  const std::string height = own != heights.end()                 ? own->second
+                             : figure.rfind("speed-", 0) == 0 ? "900"
+                                                              : "380";
   if (picture.view_box != "0 0 560 " + height) wrong.push_back("viewBox");
   std::string id = figure;
   std::replace(id.begin(), id.end(), '-', '_');
