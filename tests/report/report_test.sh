@@ -73,7 +73,7 @@ FormulasAreMathML() {
 SizeIsBounded() {
   local size
   size=$(wc -c <"$report")
-  [ "$size" -lt 6000000 ] || fail "the report has $size bytes"
+  [ "$size" -lt 5500000 ] || fail "the report has $size bytes"
 }
 
 NamedTestsExist() {

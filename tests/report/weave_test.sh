@@ -360,8 +360,38 @@ END
   expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
   expect_html 'aria-label="A curve &amp; more"' "id='f-gpPt0'" "href='#f-gpPt0'" "id='g-gpPt0'" \
     "stroke='currentColor'" "color='var(--ink-0072b2)'" 'id="script:f"' \
-    'href="data:text/csv;charset=utf-8,x,y%0A1,2%0A" download="f.csv"'
+    'download="f.csv.gz"'
   if grep -q 'fill="#ffffff"' page.html; then fail "the white ground is still there"; fi
+}
+
+# A figure's data are packed without a name or a time, and unpack to the file itself, whatever its
+# bytes and their number.
+DataUnpackToTheFile() {
+  local bytes link
+  draw f
+  chapter <<<'![One.](figures/f.svg){#fig:f fig-alt="A curve"}'
+  for bytes in 0 1 2 3000; do
+    { printf 'x,y\n'; head -c "$bytes" /dev/urandom; } >build/data/f.csv
+    weave page.html one.md
+    link=$(grep -o 'data:application/gzip;base64,[^"]*' page.html)
+    base64 -d <<<"${link#*,}" | gunzip | cmp - build/data/f.csv || fail "$bytes bytes are others"
+    [ "$(base64 -d <<<"${link#*,}" | od -An -tx1 -N8)" = ' 1f 8b 08 00 00 00 00 00' ] || fail "a name or a time is packed"
+  done
+}
+
+# Keywords, types and comments have tags of one letter; what HTML can read as it is stays as it is.
+CodeHasShortTags() {
+  chapter <<'END'
+``` {.cpp #part}
+int a;  // one
+if (a > 1) return "two";
+b[c[0]]>d;
+```
+END
+  weave page.html one.md
+  xmllint --noout page.html
+  expect_html '<u>int</u> a;  <i>// one</i>' '<b>if</b> (a > 1) <b>return</b> "two";' 'b[c[0]]&gt;d;'
+  if grep -q '<span class="..">' page.html; then fail "a span of Pandoc's is left"; fi
 }
 
 ChunksAreLinked() {
