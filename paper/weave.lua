@@ -7,8 +7,8 @@
 -- (all on one line; `-M revision=` may be left out). With `-M draft=paper/12-x.md` the page has this
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
--- figures/measured/*.csv and paper/style.css, and puts all of it into the page, which then needs no
--- other file. It keeps the colours of the code in build/colours-*. What the chapters may write:
+-- figures/measured/*.csv, paper/style.css and build/math.woff2, the font of the formulas, and puts all
+-- of it into the page, which then needs no other file. It keeps the colours of the code in build/colours-*. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
@@ -182,6 +182,13 @@ end
 
 local mathml = dofile(here .. "mathml.lua")
 
+--- The rule that brings the font of the formulas; a draft does without where there is none yet.
+local function formula_font()
+  local font = read("build/math.woff2")
+  return font and string.format('@font-face { font-family: "Latin Modern Math"; '
+    .. 'src: url("data:font/woff2;base64,%s") format("woff2"); }\n', base64(font)) or ""
+end
+
 local function formula(math)
   local tex = math.text:gsub("\\value{([^}]*)}", function(key)
     return "{" .. value(key, "\\value{" .. key .. "}") .. "}"
@@ -286,14 +293,30 @@ local function take_label(inlines)
     if id then
       local remaining = pandoc.List(table.move(inlines, k + 1, #inlines, 1, {}))
       if rest ~= "" then remaining:insert(1, pandoc.Str(rest)) end
-      return id, options:gsub("[“”\"]", ""):match("^paper=(.+)$"), remaining
+      return id, options:gsub("“", ""):gsub("”", ""):gsub('"', ""):match("^paper=(.+)$"), remaining
     end
   end
   return nil, nil, inlines
 end
 
+--- The formulas that stand beside each other in a displayed one, apart by \qquad: lines may break there.
+local function side_by_side(tex)
+  local parts, from, depth = pandoc.List(), 1, 0
+  local deeper = { ["{"] = 1, ["}"] = -1, ["\\begin"] = 1, ["\\end"] = -1, ["\\left"] = 1, ["\\right"] = -1 }
+  for at, token, behind in tex:gmatch("()([\\{}]%a*)()") do
+    if token == "\\qquad" and depth == 0 then
+      parts:insert(tex:sub(from, at - 1))
+      from = behind
+    end
+    depth = depth + (deeper[token:match("^[{}]") or token] or 0)
+  end
+  parts:insert(tex:sub(from))
+  return parts
+end
+
 local function equation(math, id, paper)
-  local parts = { raw('<div class="formula">'), pandoc.Plain({ math }), raw("</div>") }
+  local formulas = side_by_side(math.text):map(function(tex) return pandoc.Math("DisplayMath", tex) end)
+  local parts = { raw('<div class="formula">'), pandoc.Plain(formulas), raw("</div>") }
   if id then
     local number = define(id, "eq")
     local theirs = paper and string.format(
@@ -907,7 +930,7 @@ function Pandoc(document)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then place_bibliography(document.blocks) else add_back_matter(document) end
   stop_on_mistakes()
-  document.meta.style = raw(style)
+  document.meta.style = raw(style .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
   document.blocks = document.blocks:walk({ Header = part_before })
   return document

@@ -175,7 +175,7 @@ NumbersAndReferences() {
 
 The formula
 $$ a = b $$ {#eq:a paper=25}
-and $$ c $$ {#eq:c paper="26, 27"} are [@eq:a; @eq:c] in @sec:inner, [@sec:first; @sec:last; @eq:c].
+and $$ c $$ {#eq:c paper="26–28"} are [@eq:a; @eq:c] in @sec:inner, [@sec:first; @sec:last; @eq:c].
 
 # Last {#sec:last .appendix}
 
@@ -187,7 +187,7 @@ See @sec:last, @tbl:t.
 
 : Some numbers {#tbl:t}
 END
-  expect '1 First' '1.1 Inner' '(1) [25]' '(2) [26, 27]' 'are Eqs. (1) and (2) in Section 1.1,' \
+  expect '1 First' '1.1 Inner' '(1) [25]' '(2) [26–28]' 'are Eqs. (1) and (2) in Section 1.1,' \
     'Section 1, Appendix A and Eq. (2).' 'A Last' 'See Appendix A, Table 1.' 'Table 1. Some numbers'
   expect_html '<a href="#eq:a">(1)</a>' 'id="eq:a"' '<a href="#sec:last">' 'id="tbl:t"'
 }
@@ -219,6 +219,16 @@ END
     '<msup><mrow><mo minsize="1.8em"' '</math>,</span>' '<mtable class="aligned" displaystyle="true">' \
     '<mo mathsize="1.2em" stretchy="false" form="prefix">[</mo>' \
     '(</mo><mo form="prefix">−</mo><mn>1</mn>' '<mo stretchy="true" form="prefix">(</mo><mfrac>'
+}
+
+# Formulas that stand beside each other may stand below each other where there is less room.
+FormulasBesideEachOther() {
+  chapter <<'END'
+$$ a = \{1\}, \qquad b = \left(\frac{1}{2}\right), \qquad \begin{aligned} c &= {d \qquad e} \\ &= f \qquad g \end{aligned} $$ {#eq:a}
+END
+  weave page.html one.md
+  [ "$(grep -o '<math' page.html | wc -l)" = 3 ] || fail "not three formulas: $(grep -o '<math.*' page.html)"
+  expect_html 'id="eq:a"'
 }
 
 # What Pandoc 3.10 writes for a formula becomes what is made of 2.17's, but for rows in rows.
