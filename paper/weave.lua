@@ -18,6 +18,8 @@
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
+--   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
+--                                                     first behind a numbered equation, which it is
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     or, if it rests on a time, build/data/speed.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
@@ -696,7 +698,7 @@ end
 
 local function where(piece) return string.format("<span>%s:%d</span>", escape(piece.source), piece.line) end
 
-local function chunk_box(piece)
+local function chunk_box(piece, open)
   local chunk, notes, parts = chunks[piece.id], {}, ""
   if piece.file then
     table.insert(notes, "file " .. file_link(piece.file))
@@ -714,23 +716,43 @@ local function chunk_box(piece)
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
   local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
-  return raw(string.format('<div class="%s" id="%s">\n<div class="chunk-head">'
-    .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', class, escape(anchor(piece)), piece.html_title, parts,
-    piece_code(piece), table.concat(notes, " · ")))
+  return raw(string.format('<details class="%s" id="%s"%s>\n<summary class="chunk-head">'
+    .. '<span class="chunk-title">%s</span>%s</summary>\n<div class="code">%s</div>\n'
+    .. '<div class="chunk-notes">%s</div>\n</details>', class, escape(anchor(piece)), open and ' open=""' or "",
+    piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
+end
+
+local function is_chunk(block)
+  return block.t == "CodeBlock" and (block.identifier ~= "" or block.attributes.file)
+end
+
+--- Chunks are folded to their titles, but for the one that is an equation: the first behind a numbered
+--- one in its section. `.open` on a chunk opens it as well.
+local function open_equations(blocks)
+  local behind_equation = false
+  return blocks:map(function(block)
+    if block.t == "Header" then behind_equation = false end
+    if block.t == "Div" and block.classes:includes("equation") and block.identifier ~= "" then
+      behind_equation = true
+    elseif is_chunk(block) then
+      if behind_equation then block.classes:insert("open") end
+      behind_equation = false
+    end
+    return block
+  end)
 end
 
 local next_piece = 1
 local function code_block(block)
   local piece = pieces[next_piece]
-  if block.identifier ~= "" or block.attributes.file then
+  if is_chunk(block) then
     next_piece = next_piece + 1
     local name = block.identifier ~= "" and block.identifier or block.attributes.file
     if not piece or piece.id ~= name then
       complain("#" .. name, "chunk %s: the tangler and Pandoc do not see the same fences", name)
       return nil
     end
-    return chunk_box(piece)
+    return chunk_box(piece, block.classes:includes("open"))
   end
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
@@ -855,8 +877,8 @@ local function colophon(meta)
   return pandoc.Para({ pandoc.Str(text) })
 end
 
---- Parts, chapters and their sections as a list of links. (The contents that Pandoc makes have ids, which
---- would stand twice in a page that has them twice.)
+--- Parts and chapters as a list of links; the sections of a chapter are folded below it. (The contents that
+--- Pandoc makes have ids, which would stand twice in a page that has them twice.)
 local function contents(blocks)
   local list = pandoc.List()
   for _, block in ipairs(blocks) do
@@ -873,8 +895,9 @@ local function contents(blocks)
   end
   return pandoc.BulletList(list:map(function(chapter)
     local entry = chapter[1]
-    if #chapter.sections > 0 then table.insert(entry, pandoc.BulletList(chapter.sections)) end
-    return entry
+    if #chapter.sections == 0 then return entry end
+    return { raw("<details><summary>"), entry[1], raw("</summary>"), pandoc.BulletList(chapter.sections),
+             raw("</details>") }
   end))
 end
 
@@ -926,6 +949,7 @@ function Pandoc(document)
   -- First all that has a number, then all that refers to one.
   document.blocks = document.blocks:walk({ Header = number_heading, Para = paragraph,
                                            Table = written_table, Div = generated_table })
+  document.blocks = open_equations(document.blocks)
   highlight_all(draft and keep_draft(document) or pieces)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then place_bibliography(document.blocks) else add_back_matter(document) end

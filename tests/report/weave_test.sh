@@ -430,6 +430,41 @@ END
     '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
 }
 
+# A chunk is folded to its title, unless it is the first behind a numbered equation of its section or
+# says that it is open.
+ChunksAreFolded() {
+  chapter <<'END'
+# One {#sec:one}
+
+$$ e $$ {#eq:e}
+
+Words and $$ f $$ without a number.
+
+``` {.cpp #equation title="Is the equation"}
+int a;
+```
+
+``` {.cpp #second title="Follows it"}
+int b;
+```
+
+$$ g $$ {#eq:g}
+
+# Two {#sec:two}
+
+``` {.cpp #elsewhere title="Another section"}
+int c;
+```
+
+``` {.cpp #wanted .open title="Is open"}
+int d;
+```
+END
+  weave page.html one.md
+  expect_html '<details class="chunk" id="lst:equation" open="">' '<details class="chunk" id="lst:second">' \
+    '<details class="chunk" id="lst:elsewhere">' '<details class="chunk" id="lst:wanted" open="">'
+}
+
 PartsHaveTheirTitles() {
   chapter <<'END'
 ``` {.cpp file=src/a.cpp title="The file"}
