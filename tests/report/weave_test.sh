@@ -522,7 +522,7 @@ END
   printf 'two.md:%s\n' '9: missing chunk <<nowhere>>' '5: unknown reference @eq:nowhere' | diff - errors || fail "other mistakes"
   local text
   text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
-  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere&gt;&gt; used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
+  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere>> used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
     fail "the page: $text"
 }
 
