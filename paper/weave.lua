@@ -78,8 +78,10 @@ end
 local without_html = "markdown-raw_html-raw_attribute-native_spans-native_divs-bracketed_spans"
 
 local function inlines_of(markdown)
-  local blocks = pandoc.read(markdown, without_html).blocks
-  return blocks[1] and blocks[1].content or pandoc.List()
+  local inlines = pandoc.read("x " .. markdown, without_html).blocks[1].content -- "p. 3" alone would be a list
+  inlines:remove(1)
+  inlines:remove(1)
+  return inlines
 end
 
 local sextets = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
@@ -457,6 +459,15 @@ end
 
 -- 6. Tables: numbered captions, tables from CSV -----------------------------------------------------
 
+local card_rules = pandoc.List() -- of the style sheet: where rows are cards, each value has its column's name
+
+local function name_columns(id, head)
+  for column, name in ipairs(head) do
+    card_rules:insert(string.format('[id="%s"] td:nth-child(%d) { --column: "%s"; }', id, column,
+      utils.stringify(name):gsub('[\\"<]', "")))
+  end
+end
+
 local function framed_table(content, id, text, class)
   content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
   local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
@@ -530,8 +541,10 @@ local function generated_table(div)
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
+  local cards = head:includes("verdict")
+  if cards then name_columns(id, head:map(function(cell) return pandoc.Plain(inlines_of(cell)) end)) end
   return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
-                      head:includes("verdict") and "table verdicts")
+                      cards and "table cards")
 end
 
 -- 7. Chunks: the program's parts, where each is told ------------------------------------------------
@@ -954,7 +967,7 @@ function Pandoc(document)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then place_bibliography(document.blocks) else add_back_matter(document) end
   stop_on_mistakes()
-  document.meta.style = raw(style .. formula_font())
+  document.meta.style = raw(style .. table.concat(card_rules, "\n") .. "\n" .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
   document.blocks = document.blocks:walk({ Header = part_before })
   return document

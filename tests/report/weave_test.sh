@@ -298,7 +298,7 @@ ValuesAreInjected() {
 }
 
 TableFromData() {
-  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\n' >build/data/t.csv
+  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\np. 7,–\n' >build/data/t.csv
   chapter <<'END'
 $$ e $$ {#eq:e}
 
@@ -306,12 +306,24 @@ $$ e $$ {#eq:e}
 The *caption*.
 :::
 END
-  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3'
+  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3' 'p. 7'
   expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>'
   mkdir -p figures/measured
   sed 's/plain/other/' build/data/t.csv >figures/measured/t.csv
   sed -i 's|"t|"figures/measured/t|' one.md
   expect 'Table 1. The caption.' 'other'
+}
+
+# Where rows are cards, each value has its column's name.
+VerdictsMayBeCards() {
+  printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
+  chapter <<'END'
+::: {#tbl:t csv="t.csv"}
+The caption.
+:::
+END
+  weave page.html one.md
+  expect_html '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
 }
 
 # What a cell or a title holds is read as text and formulas, never as HTML.
