@@ -12,11 +12,14 @@
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
---   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
+--   $$ ... $$ {#eq:x paper=25 status=sign}            an equation; `paper` is its number in the paper, or
+--                                                     "13, 18–20"; `status` is sign, misprint, open or fails;
+--                                                     chunk="Its title" and tests="A.B, A.C" are its evidence
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
 --   : Caption {#tbl:x}                                below a table
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption
+--   ::: {#tbl:x .equations}                           the table of the equations that have a `paper`
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
 --                                                     first behind a numbered equation, which it is
@@ -287,20 +290,27 @@ end
 
 -- 4. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
 
---- From the inlines behind a formula takes `{#eq:id paper=..}`: id, the paper's number, the rest.
+--- From the inlines behind a formula takes `{#eq:id paper=.. status=..}`: id, the paper's numbers and what
+--- became of its equations, the rest.
 local function take_label(inlines)
   local text = ""
   for k, inline in ipairs(inlines) do
-    if inline.t == "Math" or k > 12 then break end
+    if inline.t == "Math" or k > 60 then break end
     text = text .. utils.stringify(inline)
     local id, options, rest = text:match("^%s*{#(eq:[%w:_.-]+)%s*(.-)}(.*)$")
     if id then
       local remaining = pandoc.List(table.move(inlines, k + 1, #inlines, 1, {}))
       if rest ~= "" then remaining:insert(1, pandoc.Str(rest)) end
-      return id, options:gsub("“", ""):gsub("”", ""):gsub('"', ""):match("^paper=(.+)$"), remaining
+      local found = {}
+      options = options:gsub("“", '"'):gsub("”", '"'):gsub('(%a+)="([^"]*)"', function(key, text)
+        found[key] = text
+        return ""
+      end)
+      for key, text in options:gmatch("(%a+)=(%S+)") do found[key] = text end
+      return id, found, remaining
     end
   end
-  return nil, nil, inlines
+  return nil, {}, inlines
 end
 
 --- The formulas that stand beside each other in a displayed one, apart by \qquad: lines may break there.
@@ -318,11 +328,27 @@ local function side_by_side(tex)
   return parts
 end
 
-local function equation(math, id, paper)
+-- What became of an equation of the paper.
+local statuses = { misprint = "misprint", sign = "sign corrected", open = "left open", fails = "does not hold" }
+local of_paper = pandoc.List() -- { id, number, numbers, status, chunk, tests }: equations that are the paper's
+
+--- Adds an equation that is the paper's, by its numbers, as in "13, 18–20".
+local function keep_of_paper(id, number, options)
+  local status = options.status or "as printed"
+  if options.status and not statuses[status] then complain("status=" .. status, "unknown status %s", status) end
+  of_paper:insert({ id = id, number = number, numbers = options.paper, status = statuses[status] or status,
+                    first = tonumber(options.paper:match("%d+")) or 0, titled = options.chunk,
+                    tests = options.tests and pandoc.List() })
+  for name in (options.tests or ""):gmatch("[%w.]+") do of_paper[#of_paper].tests:insert(name) end
+end
+
+local function equation(math, id, options)
+  local paper = options.paper
   local formulas = side_by_side(math.text):map(function(tex) return pandoc.Math("DisplayMath", tex) end)
   local parts = { raw('<div class="formula">'), pandoc.Plain(formulas), raw("</div>") }
   if id then
     local number = define(id, "eq")
+    if paper then keep_of_paper(id, number, options) end
     local theirs = paper and string.format(
       '<span class="paper-number" title="Equation (%s) of the paper">[%s]</span>', escape(paper), escape(paper)) or ""
     table.insert(parts, raw(string.format('<div class="number">(%s) %s</div>', number, theirs)))
@@ -346,11 +372,11 @@ local function cut_at_formulas(paragraph)
     text = pandoc.List()
   end
   while #rest > 0 do
-    local inline, id, paper = rest:remove(1), nil, nil
+    local inline, id, options = rest:remove(1), nil, nil
     if is_display(inline) then
       flush()
-      id, paper, rest = take_label(rest)
-      blocks:insert(equation(inline, id, paper))
+      id, options, rest = take_label(rest)
+      blocks:insert(equation(inline, id, options))
     else
       text:insert(inline)
     end
@@ -469,7 +495,7 @@ local function name_columns(id, head)
 end
 
 local function framed_table(content, id, text, class)
-  content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
+  if content.colspecs then content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end) end
   local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
@@ -515,7 +541,16 @@ local function csv_cells(line)
   return cells
 end
 
+--- The table of the paper's equations is filled in when all of them are known.
+local equations_table = "<!-- equations -->"
+
+local function table_of_equations(div)
+  name_columns(div.identifier, { "paper", "here", "status", "chunk", "checked by" })
+  return framed_table(raw(equations_table), div.identifier, utils.blocks_to_inlines(div.content), "table cards")
+end
+
 local function generated_table(div)
+  if div.classes:includes("equations") then return table_of_equations(div) end
   if not div.attributes.csv then return nil end
   local id, path = div.identifier, div.attributes.csv
   if not path:find("/", 1, true) then path = "build/data/" .. path end
@@ -737,6 +772,61 @@ end
 
 local function is_chunk(block)
   return block.t == "CodeBlock" and (block.identifier ~= "" or block.attributes.file)
+end
+
+local function names_in(block)
+  local names = pandoc.List()
+  block:walk({ Code = function(inline) names:insert(inline.text) end })
+  return names
+end
+
+--- To each equation of the paper its chunk, which is the one of that title, or the first that is told
+--- behind it in its section, or the first that names it; and the tests named next, if it names none.
+local function find_evidence(blocks)
+  local place, pending, by_id = 0, {}, {}
+  for _, item in ipairs(of_paper) do by_id[item.id] = item end
+  for _, block in ipairs(blocks) do
+    if block.t == "Header" then pending = {} end
+    if block.t == "Div" and by_id[block.identifier] then table.insert(pending, by_id[block.identifier]) end
+    if is_chunk(block) then place = place + 1 end
+    for _, item in ipairs(pending) do
+      if is_chunk(block) then item.chunk = item.chunk or pieces[place] end
+      if block.t == "Div" and block.classes:includes("checked") then item.tests = item.tests or names_in(block) end
+    end
+  end
+  for _, piece in ipairs(pieces) do
+    for id in table.concat(piece.code, "\n"):gmatch("@(eq:[%w_-]+)") do
+      if by_id[id] then by_id[id].chunk = by_id[id].chunk or piece end
+    end
+  end
+  for _, item in ipairs(of_paper) do
+    if item.titled then
+      item.chunk = pieces:find_if(function(piece) return piece.title == item.titled end)
+      if not item.chunk and item.titled ~= "none" then
+        complain("#" .. item.id, "no chunk has the title %s", item.titled)
+      end
+    end
+  end
+end
+
+local function fill_equations(blocks)
+  local rows = {}
+  of_paper:sort(function(a, b)
+    if a.first ~= b.first then return a.first < b.first end
+    return tonumber(a.number) < tonumber(b.number)
+  end)
+  for _, item in ipairs(of_paper) do
+    local tests = (item.tests or pandoc.List()):map(function(name) return "<code>" .. escape(name) .. "</code>" end)
+    table.insert(rows, string.format("<tr><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td class=\"checked\">%s</td></tr>",
+      escape(item.numbers), referred(item.id, true), item.status,
+      item.chunk and link(anchor(item.chunk), item.chunk.html_title) or "–",
+      #tests > 0 and table.concat(tests, ", ", 1, math.min(#tests, 2)) or "–"))
+  end
+  local html = "<table><thead><tr><th>paper</th><th>here</th><th>status</th><th>chunk</th><th>checked by</th></tr></thead>\n<tbody>"
+    .. table.concat(rows, "\n") .. "</tbody></table>"
+  return blocks:map(function(block)
+    return block.t == "RawBlock" and block.text == equations_table and raw(html) or block
+  end)
 end
 
 --- Chunks are folded to their titles, but for the one that is an equation: the first behind a numbered
@@ -964,6 +1054,8 @@ function Pandoc(document)
                                            Table = written_table, Div = generated_table })
   document.blocks = open_equations(document.blocks)
   highlight_all(draft and keep_draft(document) or pieces)
+  if not draft then find_evidence(document.blocks) end
+  document.blocks = fill_equations(document.blocks)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then place_bibliography(document.blocks) else add_back_matter(document) end
   stop_on_mistakes()

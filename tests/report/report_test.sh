@@ -64,6 +64,17 @@ DrawingsAreDescribed() {
   done
 }
 
+# The table of the paper's equations has all of them, 1 to 51, and most have a chunk and a test.
+EveryEquationOfThePaperIsListed() {
+  local rows="//*[@id='tbl:equations']//*[local-name()='tr'][*[local-name()='td']]" number
+  xpath "$rows/*[1]/text()" | tr -d ' ' | tr ',' '\n' | awk -F– '{ for (k = $1; k <= ($2 ? $2 : $1); ++k) print k }' |
+    sort -nu >"$work/numbers"
+  seq 51 | diff - "$work/numbers" || fail "not the equations 1 to 51"
+  for number in 4 5; do
+    [ "$(xpath "count($rows[*[$number] != '–'])")" -gt 15 ] || fail "hardly any evidence in column $number"
+  done
+}
+
 FormulasAreMathML() {
   [ "$(xpath "count(//*[local-name()='math'])")" -gt 200 ] || fail "hardly any formula found"
   expect_none "$(xpath "//*[contains(@class, 'math inline') or contains(@class, 'math display')]")" \

@@ -326,6 +326,43 @@ END
   expect_html '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
 }
 
+# The table of the paper's equations: by their numbers, with what became of them, their chunks and tests.
+EquationsOfThePaper() {
+  chapter <<'END'
+# One {#sec:one}
+
+::: {#tbl:e .equations}
+All of them.
+:::
+
+$$ b $$ {#eq:b paper="2, 4–5" status=sign chunk="The second" tests="A.B, A.C"}
+
+$$ a $$ {#eq:a paper=1}
+
+$$ own $$ {#eq:own}
+
+``` {.cpp #first title="The first"}
+int a;
+```
+
+*Checked by* `D.E`.
+
+# Two {#sec:two}
+
+$$ c $$ {#eq:c paper=3}
+
+``` {.cpp #second title="The second"}
+int b;  // @eq:c
+```
+END
+  expect '1(2)as printed⟨The first 1⟩D.E' '2, 4–5(1)sign corrected⟨The second 2⟩A.B, A.C' '3(4)as printed⟨The second 2⟩–'
+  sed -i 's/status=sign/status=odd/' one.md
+  rm page.html
+  expect_error 'one.md:11: unknown status odd'
+  sed -i 's/status=odd/status=sign/; s/"The second" tests/"The third" tests/' one.md
+  expect_error 'one.md:11: no chunk has the title The third'
+}
+
 # What a cell or a title holds is read as text and formulas, never as HTML.
 CellsBringNoHtml() {
   cat >build/data/t.csv <<'END'
