@@ -13,16 +13,17 @@ export LC_ALL := C.UTF-8
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
+report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
-test_packages := $(figure_packages) $(check_packages) libxml2-utils chromium parallel
+test_packages := $(report_packages) $(check_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
 packages_for_golden := $(figure_packages)
 packages_for_data := $(data_packages)
 packages_for_figures := $(figure_packages)
-packages_for_report := $(figure_packages)
-packages_for_reproduce := $(figure_packages)
+packages_for_report := $(report_packages)
+packages_for_reproduce := $(report_packages)
 packages_for_check := $(check_packages)
 packages_for_test := $(test_packages)
 packages_for_test-release := $(test_packages)
@@ -38,11 +39,15 @@ packages_for_coverage := $(build_packages) libgtest-dev
 packages_for_bench := $(data_packages)
 packages_for_draft := $(build_packages)
 packages_for_where := $(build_packages)
-packages_for_pdf := $(figure_packages) chromium
+packages_for_pdf := $(report_packages) chromium
 packages_for_clean :=
 packages_for_help :=
 
-# The command by which a package shows that it is there; CMake looks for the libraries.
+# The command or file by which a package shows that it is there; CMake looks for the libraries.
+MATH_FONT ?= /usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf
+file_of_fonts-lmodern := $(MATH_FONT)
+command_of_libharfbuzz-bin := hb-subset
+command_of_woff2 := woff2_compress
 command_of_g++ := $(firstword $(CXX))
 command_of_cmake := cmake
 command_of_pandoc := pandoc
@@ -93,9 +98,10 @@ else
 
 packages := $(sort $(foreach goal,$(or $(MAKECMDGOALS),all),$(call needs,$(goal))))
 lacks_command = $(if $(command_of_$1),$(if $(shell command -v '$(command_of_$1)' 2>/dev/null),,$1))
-missing := $(strip $(foreach package,$(packages),$(call lacks_command,$(package))))
+lacks_file = $(if $(file_of_$1),$(if $(wildcard $(file_of_$1)),,$1))
+missing := $(strip $(foreach package,$(packages),$(call lacks_command,$(package)) $(call lacks_file,$(package))))
 ifneq ($(missing),)
-$(error $(foreach package,$(missing),$(command_of_$(package))) not found: \
+$(error $(foreach package,$(missing),$(command_of_$(package))$(file_of_$(package))) not found: \
   run 'make setup $(or $(MAKECMDGOALS),all)' or 'apt-get install $(missing)')
 endif
 
@@ -250,11 +256,18 @@ build/figures/%.svg: figures/%.gp figures/style.gp build/data/%.csv | build/figu
 	@gnuplot -e "data='build/data/$*.csv'; output='$@.tmp'" figures/$*.gp
 	@mv $@.tmp $@
 
+# The characters of formulas from Latin Modern Math, with its table of how brackets stretch.
+build/math.woff2: paper/math-characters.txt | build
+	@hb-subset --unicodes-file=$< --output-file=build/math.tmp.otf '$(MATH_FONT)'
+	@woff2_compress build/math.tmp.otf >build/math.log 2>&1 || { cat build/math.log; exit 1; }
+	@mv build/math.tmp.woff2 $@
+	@rm build/math.tmp.otf build/math.log
+
 revision = $(shell git describe --always --dirty 2>/dev/null)
 weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
   --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
 build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(wildcard figures/measured/*.csv) $(data_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@

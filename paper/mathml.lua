@@ -111,7 +111,9 @@ return function(tex, kind)
                             { html_math_method = "mathml", wrap_text = "none" })
   if not html:match("^<math") then return nil end
   html = mark_signs(size_brackets(space_names(join_words(in_one_way(html)))))
-    :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">\u{302}')
+    :gsub("<mo>%*</mo>", "<mo>∗</mo>") -- the other one is raised already
+    :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">ˆ') -- no width of its own,
+    :gsub('<mo accent="true">\u{303}', '<mo accent="true" stretchy="false">˜') -- and so beside the letter
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
   html = html:gsub('^<math display="inline" xmlns="[^"]*"', "<math") -- HTML needs neither
     :gsub('^<math display="block" xmlns="[^"]*"', '<math display="block"')

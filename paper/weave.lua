@@ -7,17 +7,22 @@
 -- (all on one line; `-M revision=` may be left out). With `-M draft=paper/12-x.md` the page has this
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
--- figures/measured/*.csv and paper/style.css, and puts all of it into the page, which then needs no
--- other file. It keeps the colours of the code in build/colours-*. What the chapters may write:
+-- figures/measured/*.csv, paper/style.css and build/math.woff2, the font of the formulas, and puts all
+-- of it into the page, which then needs no other file. It keeps the colours of the code in build/colours-*. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
---   $$ ... $$ {#eq:x paper=25}                        an equation; `paper` is its number in the paper
+--   $$ ... $$ {#eq:x paper=25 status=sign}            an equation; `paper` is its number in the paper, or
+--                                                     "13, 18–20"; `status` is sign, misprint, open or fails;
+--                                                     chunk="Its title" and tests="A.B, A.C" are its evidence
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
 --   : Caption {#tbl:x}                                below a table
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption
+--   ::: {#tbl:x .equations}                           the table of the equations that have a `paper`
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
+--   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
+--                                                     first behind a numbered equation, which it is
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     or, if it rests on a time, build/data/speed.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
@@ -76,14 +81,31 @@ end
 local without_html = "markdown-raw_html-raw_attribute-native_spans-native_divs-bracketed_spans"
 
 local function inlines_of(markdown)
-  local blocks = pandoc.read(markdown, without_html).blocks
-  return blocks[1] and blocks[1].content or pandoc.List()
+  local inlines = pandoc.read("x " .. markdown, without_html).blocks[1].content -- "p. 3" alone would be a list
+  inlines:remove(1)
+  inlines:remove(1)
+  return inlines
 end
 
---- The characters of a data: URI; commas, digits and points stand for themselves.
-local function uri_encoded(text)
-  return (text:gsub("[^%w%-%._~,;:/]", function(c) return string.format("%%%02X", c:byte()) end))
+local sextets = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
+
+--- Bytes as base64, by which a data: URI takes least room.
+local function base64(bytes)
+  local digits = bytes:gsub("..?.?", function(group)
+    local a, b, c = group:byte(1, 3)
+    local bits = a << 16 | (b or 0) << 8 | (c or 0)
+    local four = ""
+    for shift = 18, 0, -6 do
+      local at = (bits >> shift & 63) + 1
+      four = four .. sextets:sub(at, at)
+    end
+    return four:sub(1, #group + 1) .. ("="):rep(3 - #group)
+  end)
+  return digits
 end
+
+--- A text as gzip packs it: without a name and a time, so that it is the same each time.
+local function packed(text) return base64(pandoc.pipe("gzip", { "-9", "-n" }, text)) end
 
 local function link(id, html) return string.format('<a href="#%s">%s</a>', escape(id), html) end
 
@@ -166,6 +188,13 @@ local function value(key, written)
 end
 
 local mathml = dofile(here .. "mathml.lua")
+
+--- The rule that brings the font of the formulas; a draft does without where there is none yet.
+local function formula_font()
+  local font = read("build/math.woff2")
+  return font and string.format('@font-face { font-family: "Latin Modern Math"; '
+    .. 'src: url("data:font/woff2;base64,%s") format("woff2"); }\n', base64(font)) or ""
+end
 
 local function formula(math)
   local tex = math.text:gsub("\\value{([^}]*)}", function(key)
@@ -261,26 +290,65 @@ end
 
 -- 4. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
 
---- From the inlines behind a formula takes `{#eq:id paper=..}`: id, the paper's number, the rest.
+--- From the inlines behind a formula takes `{#eq:id paper=.. status=..}`: id, the paper's numbers and what
+--- became of its equations, the rest.
 local function take_label(inlines)
   local text = ""
   for k, inline in ipairs(inlines) do
-    if inline.t == "Math" or k > 12 then break end
+    if inline.t == "Math" or k > 60 then break end
     text = text .. utils.stringify(inline)
     local id, options, rest = text:match("^%s*{#(eq:[%w:_.-]+)%s*(.-)}(.*)$")
     if id then
       local remaining = pandoc.List(table.move(inlines, k + 1, #inlines, 1, {}))
       if rest ~= "" then remaining:insert(1, pandoc.Str(rest)) end
-      return id, options:gsub("[“”\"]", ""):match("^paper=(.+)$"), remaining
+      local found = {}
+      options = options:gsub("“", '"'):gsub("”", '"'):gsub('(%a+)="([^"]*)"', function(key, text)
+        found[key] = text
+        return ""
+      end)
+      for key, text in options:gmatch("(%a+)=(%S+)") do found[key] = text end
+      return id, found, remaining
     end
   end
-  return nil, nil, inlines
+  return nil, {}, inlines
 end
 
-local function equation(math, id, paper)
-  local parts = { raw('<div class="formula">'), pandoc.Plain({ math }), raw("</div>") }
+--- The formulas that stand beside each other in a displayed one, apart by \qquad: lines may break there.
+local function side_by_side(tex)
+  local parts, from, depth = pandoc.List(), 1, 0
+  local deeper = { ["{"] = 1, ["}"] = -1, ["\\begin"] = 1, ["\\end"] = -1, ["\\left"] = 1, ["\\right"] = -1 }
+  for at, token, behind in tex:gmatch("()([\\{}]%a*)()") do
+    if token == "\\qquad" and depth == 0 then
+      parts:insert(tex:sub(from, at - 1))
+      from = behind
+    end
+    depth = depth + (deeper[token:match("^[{}]") or token] or 0)
+  end
+  parts:insert(tex:sub(from))
+  return parts
+end
+
+-- What became of an equation of the paper.
+local statuses = { misprint = "misprint", sign = "sign corrected", open = "left open", fails = "does not hold" }
+local of_paper = pandoc.List() -- { id, number, numbers, status, chunk, tests }: equations that are the paper's
+
+--- Adds an equation that is the paper's, by its numbers, as in "13, 18–20".
+local function keep_of_paper(id, number, options)
+  local status = options.status or "as printed"
+  if options.status and not statuses[status] then complain("status=" .. status, "unknown status %s", status) end
+  of_paper:insert({ id = id, number = number, numbers = options.paper, status = statuses[status] or status,
+                    first = tonumber(options.paper:match("%d+")) or 0, titled = options.chunk,
+                    tests = options.tests and pandoc.List() })
+  for name in (options.tests or ""):gmatch("[%w.]+") do of_paper[#of_paper].tests:insert(name) end
+end
+
+local function equation(math, id, options)
+  local paper = options.paper
+  local formulas = side_by_side(math.text):map(function(tex) return pandoc.Math("DisplayMath", tex) end)
+  local parts = { raw('<div class="formula">'), pandoc.Plain(formulas), raw("</div>") }
   if id then
     local number = define(id, "eq")
+    if paper then keep_of_paper(id, number, options) end
     local theirs = paper and string.format(
       '<span class="paper-number" title="Equation (%s) of the paper">[%s]</span>', escape(paper), escape(paper)) or ""
     table.insert(parts, raw(string.format('<div class="number">(%s) %s</div>', number, theirs)))
@@ -304,11 +372,11 @@ local function cut_at_formulas(paragraph)
     text = pandoc.List()
   end
   while #rest > 0 do
-    local inline, id, paper = rest:remove(1), nil, nil
+    local inline, id, options = rest:remove(1), nil, nil
     if is_display(inline) then
       flush()
-      id, paper, rest = take_label(rest)
-      blocks:insert(equation(inline, id, paper))
+      id, options, rest = take_label(rest)
+      blocks:insert(equation(inline, id, options))
     else
       text:insert(inline)
     end
@@ -401,8 +469,8 @@ local function figure(image)
   local svg, data = part("build/figures/" .. name .. ".svg"), part("build/data/" .. name .. ".csv")
   table.insert(drawn, { name = name, id = id, drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
   local sources = string.format(' <span class="sources"><a href="#script:%s">script</a> '
-    .. '<a href="data:text/csv;charset=utf-8,%s" download="%s.csv">data</a></span>',
-    name, uri_encoded(data), name)
+    .. '<a href="data:application/gzip;base64,%s" download="%s.csv.gz">data</a></span>',
+    name, packed(data), name)
   local text = caption("Figure", number, image.caption)
   text:insert(pandoc.RawInline("html", sources))
   return { raw('<figure id="' .. escape(id) .. '">\n<div class="drawing">'),
@@ -417,8 +485,17 @@ end
 
 -- 6. Tables: numbered captions, tables from CSV -----------------------------------------------------
 
+local card_rules = pandoc.List() -- of the style sheet: where rows are cards, each value has its column's name
+
+local function name_columns(id, head)
+  for column, name in ipairs(head) do
+    card_rules:insert(string.format('[id="%s"] td:nth-child(%d) { --column: "%s"; }', id, column,
+      utils.stringify(name):gsub('[\\"<]', "")))
+  end
+end
+
 local function framed_table(content, id, text, class)
-  content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end)
+  if content.colspecs then content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end) end
   local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
@@ -464,7 +541,16 @@ local function csv_cells(line)
   return cells
 end
 
+--- The table of the paper's equations is filled in when all of them are known.
+local equations_table = "<!-- equations -->"
+
+local function table_of_equations(div)
+  name_columns(div.identifier, { "paper", "here", "status", "chunk", "checked by" })
+  return framed_table(raw(equations_table), div.identifier, utils.blocks_to_inlines(div.content), "table cards")
+end
+
 local function generated_table(div)
+  if div.classes:includes("equations") then return table_of_equations(div) end
   if not div.attributes.csv then return nil end
   local id, path = div.identifier, div.attributes.csv
   if not path:find("/", 1, true) then path = "build/data/" .. path end
@@ -490,8 +576,10 @@ local function generated_table(div)
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
+  local cards = head:includes("verdict")
+  if cards then name_columns(id, head:map(function(cell) return pandoc.Plain(inlines_of(cell)) end)) end
   return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
-                      head:includes("verdict") and "table verdicts")
+                      cards and "table cards")
 end
 
 -- 7. Chunks: the program's parts, where each is told ------------------------------------------------
@@ -572,17 +660,22 @@ local function coloured_once(text, language)
   return html
 end
 
---- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link. Operators,
---- functions, attributes, includes, strings and numbers have no colour of their own; their tags would be a quarter of the report.
+-- The tags of what has a colour: keywords <b>, types <u>, comments <i>. Operators, functions, attributes,
+-- includes, strings and numbers have none of their own. With Pandoc's spans for all of them the report
+-- would be half as large again.
+local tags = { kw = "b", cf = "b", ot = "b", dt = "u", ex = "u", co = "i", ["do"] = "i", an = "i", cv = "i",
+               ["in"] = "i", wa = "i" }
+
+--- The lines of a code as HTML, by one of the two above; `@eq:id` in them becomes a link.
 local function highlighted(lines, language, colour)
   local text = table.concat(lines, "\n")
     :gsub("@(%l+:[%w_-]+)", function(id) return "\u{E000}" .. id .. "\u{E001}" end)
   local out = {}
   for line in (colour(text, language) .. "\n"):gmatch("(.-)\n") do
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
-    for _, plain in ipairs { "op", "bu", "fu", "at", "dv", "fl", "im", "pp", "st", "sc", "ch", "vs" } do
-      inside = inside:gsub('<span class="' .. plain .. '">([^<]*)</span>', "%1")
-    end
+    inside = inside:gsub('<span class="(%l%l)">([^<]*)</span>', function(class, words)
+      return tags[class] and string.format("<%s>%s</%s>", tags[class], words, tags[class]) or words
+    end):gsub("&quot;", '"'):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
       return refers(id) and referred(id) or "@" .. id
     end)))
@@ -653,7 +746,7 @@ end
 
 local function where(piece) return string.format("<span>%s:%d</span>", escape(piece.source), piece.line) end
 
-local function chunk_box(piece)
+local function chunk_box(piece, open)
   local chunk, notes, parts = chunks[piece.id], {}, ""
   if piece.file then
     table.insert(notes, "file " .. file_link(piece.file))
@@ -671,23 +764,98 @@ local function chunk_box(piece)
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
   local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
-  return raw(string.format('<div class="%s" id="%s">\n<div class="chunk-head">'
-    .. '<span class="chunk-title">%s</span>%s</div>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</div>', class, escape(anchor(piece)), piece.html_title, parts,
-    piece_code(piece), table.concat(notes, " · ")))
+  return raw(string.format('<details class="%s" id="%s"%s>\n<summary class="chunk-head">'
+    .. '<span class="chunk-title">%s</span>%s</summary>\n<div class="code">%s</div>\n'
+    .. '<div class="chunk-notes">%s</div>\n</details>', class, escape(anchor(piece)), open and ' open=""' or "",
+    piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
+end
+
+local function is_chunk(block)
+  return block.t == "CodeBlock" and (block.identifier ~= "" or block.attributes.file)
+end
+
+local function names_in(block)
+  local names = pandoc.List()
+  block:walk({ Code = function(inline) names:insert(inline.text) end })
+  return names
+end
+
+--- To each equation of the paper its chunk, which is the one of that title, or the first that is told
+--- behind it in its section, or the first that names it; and the tests named next, if it names none.
+local function find_evidence(blocks)
+  local place, pending, by_id = 0, {}, {}
+  for _, item in ipairs(of_paper) do by_id[item.id] = item end
+  for _, block in ipairs(blocks) do
+    if block.t == "Header" then pending = {} end
+    if block.t == "Div" and by_id[block.identifier] then table.insert(pending, by_id[block.identifier]) end
+    if is_chunk(block) then place = place + 1 end
+    for _, item in ipairs(pending) do
+      if is_chunk(block) then item.chunk = item.chunk or pieces[place] end
+      if block.t == "Div" and block.classes:includes("checked") then item.tests = item.tests or names_in(block) end
+    end
+  end
+  for _, piece in ipairs(pieces) do
+    for id in table.concat(piece.code, "\n"):gmatch("@(eq:[%w_-]+)") do
+      if by_id[id] then by_id[id].chunk = by_id[id].chunk or piece end
+    end
+  end
+  for _, item in ipairs(of_paper) do
+    if item.titled then
+      item.chunk = pieces:find_if(function(piece) return piece.title == item.titled end)
+      if not item.chunk and item.titled ~= "none" then
+        complain("#" .. item.id, "no chunk has the title %s", item.titled)
+      end
+    end
+  end
+end
+
+local function fill_equations(blocks)
+  local rows = {}
+  of_paper:sort(function(a, b)
+    if a.first ~= b.first then return a.first < b.first end
+    return tonumber(a.number) < tonumber(b.number)
+  end)
+  for _, item in ipairs(of_paper) do
+    local tests = (item.tests or pandoc.List()):map(function(name) return "<code>" .. escape(name) .. "</code>" end)
+    table.insert(rows, string.format("<tr><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td class=\"checked\">%s</td></tr>",
+      escape(item.numbers), referred(item.id, true), item.status,
+      item.chunk and link(anchor(item.chunk), item.chunk.html_title) or "–",
+      #tests > 0 and table.concat(tests, ", ", 1, math.min(#tests, 2)) or "–"))
+  end
+  local html = "<table><thead><tr><th>paper</th><th>here</th><th>status</th><th>chunk</th><th>checked by</th></tr></thead>\n<tbody>"
+    .. table.concat(rows, "\n") .. "</tbody></table>"
+  return blocks:map(function(block)
+    return block.t == "RawBlock" and block.text == equations_table and raw(html) or block
+  end)
+end
+
+--- Chunks are folded to their titles, but for the one that is an equation: the first behind a numbered
+--- one in its section. `.open` on a chunk opens it as well.
+local function open_equations(blocks)
+  local behind_equation = false
+  return blocks:map(function(block)
+    if block.t == "Header" then behind_equation = false end
+    if block.t == "Div" and block.classes:includes("equation") and block.identifier ~= "" then
+      behind_equation = true
+    elseif is_chunk(block) then
+      if behind_equation then block.classes:insert("open") end
+      behind_equation = false
+    end
+    return block
+  end)
 end
 
 local next_piece = 1
 local function code_block(block)
   local piece = pieces[next_piece]
-  if block.identifier ~= "" or block.attributes.file then
+  if is_chunk(block) then
     next_piece = next_piece + 1
     local name = block.identifier ~= "" and block.identifier or block.attributes.file
     if not piece or piece.id ~= name then
       complain("#" .. name, "chunk %s: the tangler and Pandoc do not see the same fences", name)
       return nil
     end
-    return chunk_box(piece)
+    return chunk_box(piece, block.classes:includes("open"))
   end
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
@@ -812,8 +980,8 @@ local function colophon(meta)
   return pandoc.Para({ pandoc.Str(text) })
 end
 
---- Parts, chapters and their sections as a list of links. (The contents that Pandoc makes have ids, which
---- would stand twice in a page that has them twice.)
+--- Parts and chapters as a list of links; the sections of a chapter are folded below it. (The contents that
+--- Pandoc makes have ids, which would stand twice in a page that has them twice.)
 local function contents(blocks)
   local list = pandoc.List()
   for _, block in ipairs(blocks) do
@@ -830,8 +998,9 @@ local function contents(blocks)
   end
   return pandoc.BulletList(list:map(function(chapter)
     local entry = chapter[1]
-    if #chapter.sections > 0 then table.insert(entry, pandoc.BulletList(chapter.sections)) end
-    return entry
+    if #chapter.sections == 0 then return entry end
+    return { raw("<details><summary>"), entry[1], raw("</summary>"), pandoc.BulletList(chapter.sections),
+             raw("</details>") }
   end))
 end
 
@@ -883,11 +1052,14 @@ function Pandoc(document)
   -- First all that has a number, then all that refers to one.
   document.blocks = document.blocks:walk({ Header = number_heading, Para = paragraph,
                                            Table = written_table, Div = generated_table })
+  document.blocks = open_equations(document.blocks)
   highlight_all(draft and keep_draft(document) or pieces)
+  if not draft then find_evidence(document.blocks) end
+  document.blocks = fill_equations(document.blocks)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then place_bibliography(document.blocks) else add_back_matter(document) end
   stop_on_mistakes()
-  document.meta.style = raw(style)
+  document.meta.style = raw(style .. table.concat(card_rules, "\n") .. "\n" .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
   document.blocks = document.blocks:walk({ Header = part_before })
   return document

@@ -175,7 +175,7 @@ NumbersAndReferences() {
 
 The formula
 $$ a = b $$ {#eq:a paper=25}
-and $$ c $$ {#eq:c paper="26, 27"} are [@eq:a; @eq:c] in @sec:inner, [@sec:first; @sec:last; @eq:c].
+and $$ c $$ {#eq:c paper="26–28"} are [@eq:a; @eq:c] in @sec:inner, [@sec:first; @sec:last; @eq:c].
 
 # Last {#sec:last .appendix}
 
@@ -187,7 +187,7 @@ See @sec:last, @tbl:t.
 
 : Some numbers {#tbl:t}
 END
-  expect '1 First' '1.1 Inner' '(1) [25]' '(2) [26, 27]' 'are Eqs. (1) and (2) in Section 1.1,' \
+  expect '1 First' '1.1 Inner' '(1) [25]' '(2) [26–28]' 'are Eqs. (1) and (2) in Section 1.1,' \
     'Section 1, Appendix A and Eq. (2).' 'A Last' 'See Appendix A, Table 1.' 'Table 1. Some numbers'
   expect_html '<a href="#eq:a">(1)</a>' 'id="eq:a"' '<a href="#sec:last">' 'id="tbl:t"'
 }
@@ -219,6 +219,16 @@ END
     '<msup><mrow><mo minsize="1.8em"' '</math>,</span>' '<mtable class="aligned" displaystyle="true">' \
     '<mo mathsize="1.2em" stretchy="false" form="prefix">[</mo>' \
     '(</mo><mo form="prefix">−</mo><mn>1</mn>' '<mo stretchy="true" form="prefix">(</mo><mfrac>'
+}
+
+# Formulas that stand beside each other may stand below each other where there is less room.
+FormulasBesideEachOther() {
+  chapter <<'END'
+$$ a = \{1\}, \qquad b = \left(\frac{1}{2}\right), \qquad \begin{aligned} c &= {d \qquad e} \\ &= f \qquad g \end{aligned} $$ {#eq:a}
+END
+  weave page.html one.md
+  [ "$(grep -o '<math' page.html | wc -l)" = 3 ] || fail "not three formulas: $(grep -o '<math.*' page.html)"
+  expect_html 'id="eq:a"'
 }
 
 # What Pandoc 3.10 writes for a formula becomes what is made of 2.17's, but for rows in rows.
@@ -288,7 +298,7 @@ ValuesAreInjected() {
 }
 
 TableFromData() {
-  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\n' >build/data/t.csv
+  printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\np. 7,–\n' >build/data/t.csv
   chapter <<'END'
 $$ e $$ {#eq:e}
 
@@ -296,12 +306,61 @@ $$ e $$ {#eq:e}
 The *caption*.
 :::
 END
-  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3'
+  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3' 'p. 7'
   expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>'
   mkdir -p figures/measured
   sed 's/plain/other/' build/data/t.csv >figures/measured/t.csv
   sed -i 's|"t|"figures/measured/t|' one.md
   expect 'Table 1. The caption.' 'other'
+}
+
+# Where rows are cards, each value has its column's name.
+VerdictsMayBeCards() {
+  printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
+  chapter <<'END'
+::: {#tbl:t csv="t.csv"}
+The caption.
+:::
+END
+  weave page.html one.md
+  expect_html '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
+}
+
+# The table of the paper's equations: by their numbers, with what became of them, their chunks and tests.
+EquationsOfThePaper() {
+  chapter <<'END'
+# One {#sec:one}
+
+::: {#tbl:e .equations}
+All of them.
+:::
+
+$$ b $$ {#eq:b paper="2, 4–5" status=sign chunk="The second" tests="A.B, A.C"}
+
+$$ a $$ {#eq:a paper=1}
+
+$$ own $$ {#eq:own}
+
+``` {.cpp #first title="The first"}
+int a;
+```
+
+*Checked by* `D.E`.
+
+# Two {#sec:two}
+
+$$ c $$ {#eq:c paper=3}
+
+``` {.cpp #second title="The second"}
+int b;  // @eq:c
+```
+END
+  expect '1(2)as printed⟨The first 1⟩D.E' '2, 4–5(1)sign corrected⟨The second 2⟩A.B, A.C' '3(4)as printed⟨The second 2⟩–'
+  sed -i 's/status=sign/status=odd/' one.md
+  rm page.html
+  expect_error 'one.md:11: unknown status odd'
+  sed -i 's/status=odd/status=sign/; s/"The second" tests/"The third" tests/' one.md
+  expect_error 'one.md:11: no chunk has the title The third'
 }
 
 # What a cell or a title holds is read as text and formulas, never as HTML.
@@ -360,8 +419,38 @@ END
   expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
   expect_html 'aria-label="A curve &amp; more"' "id='f-gpPt0'" "href='#f-gpPt0'" "id='g-gpPt0'" \
     "stroke='currentColor'" "color='var(--ink-0072b2)'" 'id="script:f"' \
-    'href="data:text/csv;charset=utf-8,x,y%0A1,2%0A" download="f.csv"'
+    'download="f.csv.gz"'
   if grep -q 'fill="#ffffff"' page.html; then fail "the white ground is still there"; fi
+}
+
+# A figure's data are packed without a name or a time, and unpack to the file itself, whatever its
+# bytes and their number.
+DataUnpackToTheFile() {
+  local bytes link
+  draw f
+  chapter <<<'![One.](figures/f.svg){#fig:f fig-alt="A curve"}'
+  for bytes in 0 1 2 3000; do
+    { printf 'x,y\n'; head -c "$bytes" /dev/urandom; } >build/data/f.csv
+    weave page.html one.md
+    link=$(grep -o 'data:application/gzip;base64,[^"]*' page.html)
+    base64 -d <<<"${link#*,}" | gunzip | cmp - build/data/f.csv || fail "$bytes bytes are others"
+    [ "$(base64 -d <<<"${link#*,}" | od -An -tx1 -N8)" = ' 1f 8b 08 00 00 00 00 00' ] || fail "a name or a time is packed"
+  done
+}
+
+# Keywords, types and comments have tags of one letter; what HTML can read as it is stays as it is.
+CodeHasShortTags() {
+  chapter <<'END'
+``` {.cpp #part}
+int a;  // one
+if (a > 1) return "two";
+b[c[0]]>d;
+```
+END
+  weave page.html one.md
+  xmllint --noout page.html
+  expect_html '<u>int</u> a;  <i>// one</i>' '<b>if</b> (a > 1) <b>return</b> "two";' 'b[c[0]]&gt;d;'
+  if grep -q '<span class="..">' page.html; then fail "a span of Pandoc's is left"; fi
 }
 
 ChunksAreLinked() {
@@ -388,6 +477,41 @@ END
     'src/a.cpp 3 lines from one.md'
   expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
     '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
+}
+
+# A chunk is folded to its title, unless it is the first behind a numbered equation of its section or
+# says that it is open.
+ChunksAreFolded() {
+  chapter <<'END'
+# One {#sec:one}
+
+$$ e $$ {#eq:e}
+
+Words and $$ f $$ without a number.
+
+``` {.cpp #equation title="Is the equation"}
+int a;
+```
+
+``` {.cpp #second title="Follows it"}
+int b;
+```
+
+$$ g $$ {#eq:g}
+
+# Two {#sec:two}
+
+``` {.cpp #elsewhere title="Another section"}
+int c;
+```
+
+``` {.cpp #wanted .open title="Is open"}
+int d;
+```
+END
+  weave page.html one.md
+  expect_html '<details class="chunk" id="lst:equation" open="">' '<details class="chunk" id="lst:second">' \
+    '<details class="chunk" id="lst:elsewhere">' '<details class="chunk" id="lst:wanted" open="">'
 }
 
 PartsHaveTheirTitles() {
@@ -447,7 +571,7 @@ END
   printf 'two.md:%s\n' '9: missing chunk <<nowhere>>' '5: unknown reference @eq:nowhere' | diff - errors || fail "other mistakes"
   local text
   text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
-  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere&gt;&gt; used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
+  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere>> used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
     fail "the page: $text"
 }
 
