@@ -42,9 +42,11 @@ std::vector<Row> of_panel(const std::vector<Row>& rows, int panel) {
 
 void check_structure(const std::string& figure, const Picture& picture, std::size_t size,
                      Wrong& wrong) {
-  const std::string height = figure.rfind("speed-", 0) == 0 ? "900"
-                             : figure == "cost"             ? "640"
-                                                            : "380";
+  const auto is_a = [&](const std::string& kind) { return figure.rfind(kind, 0) == 0; };
+  const std::string height = is_a("speed-")                         ? "900"
+                             : figure == "cost"                     ? "640"
+                             : is_a("share-") || is_a("hot-wheel-") ? "300"
+                                                                    : "380";
   if (picture.view_box != "0 0 560 " + height) wrong.push_back("viewBox");
   std::string id = figure;
   std::replace(id.begin(), id.end(), '-', '_');
