@@ -35,8 +35,8 @@ set xtics offset 0,0.4
 set ytics offset 0.6,0
 set lmargin at screen 0.125
 set rmargin at screen 0.97
-set tmargin at screen 0.905
-set bmargin at screen 0.14
+set tmargin at screen 1 - 36.1/height
+set bmargin at screen 53.2/height
 unset key
 
 # The symbols of the axes: the abscissa below the middle, the ordinate above its axis.

@@ -1,5 +1,9 @@
 // Tangled from paper/G-benchmarks.md; edit there.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <ctime>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,6 +17,8 @@
 #include "studies/comparison.hpp"
 #include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
+#include "thermoroll/creep_law.hpp"
+#include "thermoroll/friction_law.hpp"
 
 using namespace thermoroll;
 
@@ -118,12 +124,87 @@ void carters_problem(benchmark::State& state) {
         solve_coupled({0.3, 1, 0}, Formulation::corrected, 1e-6, {Quantity::creep, given}));
 }
 
+using Solve = std::function<void()>;
+
+double seconds(const Solve& solve) {
+  const std::clock_t start = std::clock();
+  solve();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+void against_one_body(benchmark::State& state, const Solve& alone, const Solve& extended) {
+  std::vector<double> ratios;
+  for (auto _ : state) {
+    state.PauseTiming();
+    const double unit = seconds(alone);
+    state.ResumeTiming();
+    ratios.push_back(seconds(extended) / unit);
+  }
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  state.counters["ratio"] = *middle;
+}
+
+Solve solve_of(Scene scene, const Prescribed& given) {
+  return [scene, given]() mutable {
+    scene.roller.heating *= 1 + 1e-14;
+    benchmark::DoNotOptimize(solve_coupled(scene, sign, 1e-6, given));
+  };
+}
+
+void name_extension(const std::string& name, const Scene& scene, const Solve& extended,
+                    const Prescribed& given) {
+  const Scene alone{scene.friction, scene.peclet, scene.heating};
+  const std::string groups = "/Pe:" + shortest(scene.peclet) + "/H:" + shortest(scene.heating);
+  benchmark::RegisterBenchmark((name + groups).c_str(), against_one_body, solve_of(alone, given),
+                               extended)
+      ->Unit(benchmark::kMicrosecond);
+}
+
+void name_two_bodies(const Scene& alone) {
+  const Prescribed border{Quantity::stick_slip_border, -0.2};
+  const auto name = [&](const char* what, const Scene& scene) {
+    name_extension(what, scene, solve_of(scene, border), border);
+  };
+  Scene scene = alone;
+  scene.roller = {1, alone.heating};
+  name("identical/tau:0", scene);
+  scene = alone;
+  scene.direction = Direction::braking;
+  name("identical/tau:-1", scene);
+  scene = alone;
+  scene.roller = {2, 0.7 * alone.heating, alone.peclet / 5};
+  name("unlike/share", scene);
+  scene.bulk_difference = 0.1 / std::sqrt(alone.peclet);
+  name("unlike/bulk_difference", scene);
+}
+
+void name_friction_law(const Scene& alone) {
+  Scene scene = alone;
+  scene.law = linear_friction({scene.friction / std::sqrt(scene.peclet)});
+  const Prescribed pulls{Quantity::traction, 0.3};
+  for (const auto& [what, given] :
+       {std::pair{"friction_law/border", Prescribed{Quantity::stick_slip_border, -0.2}},
+        {"friction_law/creep", {Quantity::creep, 0.2}},
+        {"friction_law/traction", pulls}})
+    name_extension(what, scene, solve_of(scene, given), given);
+  const Solve curve = [scene] {
+    const CreepLaw law = creep_law(scene, sign);
+    for (int i = 1; i <= 100; ++i) benchmark::DoNotOptimize(evaluate(law, 0.01 * i));
+  };
+  name_extension("friction_law/curve:100", scene, curve, pulls);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   name_runs();
   name_curves();
   name_random_scenes();
+  for (const Scene& alone : {Scene{paper::friction, 100, 1}, steel}) {
+    name_two_bodies(alone);
+    name_friction_law(alone);
+  }
   for (const auto& [name, part] : {std::pair{"part/rays", &part_rays},
                                    {"part/sides", &part_sides},
                                    {"part/inverses", &part_inverses},

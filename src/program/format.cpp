@@ -430,12 +430,16 @@ std::string curve_csv(const Curve& curve, const std::optional<Units>& units) {
 
 std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   const Units unit = units.value_or(Units{});
-  const ProfileColumn columns[] = {
+  std::vector<ProfileColumn> columns = {
       {"pressure", "pressure_pa", x.pressure, unit.traction},
       {"traction", "traction_pa", x.traction, unit.traction},
       {"slip", "slip_m_per_s", x.slip, unit.slip},
       {"heat_flux", "heat_flux_w_per_m2", x.heat_flux, unit.heat_flux},
       {"temperature", "temperature_celsius", x.temperature, unit.temperature}};
+  if (x.heat_flux_1.size() > 0) {
+    columns.push_back({"heat_flux_1", "heat_flux_1_w_per_m2", x.heat_flux_1, unit.heat_flux});
+    columns.push_back({"heat_flux_2", "heat_flux_2_w_per_m2", x.heat_flux_2, unit.heat_flux});
+  }
   std::string text = "s";
   for (const ProfileColumn& c : columns)
     text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");

@@ -298,6 +298,16 @@ std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x) {
   return exchanged_flux(*grid.crossing, grid.nodes, x.h, x.scene.bulk_difference);
 }
 
+ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
+  const Scene& pair = x.scene;
+  if (pair.bulk_difference == 0 && !is_unlike(pair)) return ArrayXd::Zero(s.size());
+  const ZoneLengths at{x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border)};
+  const GridRules rules(std::max(x.unknowns, 60), at);
+  const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
+  const Exchange crossing = exchange(pair, x.formulation, nodes, rules, x.h.size());
+  return flux_at(exchanged_flux(crossing, nodes, x.h, pair.bulk_difference), s);
+}
+
 Profile profile(const CoupledSolution& x) {
   const ContactGrid grid = grid_of(x, x.unknowns);
   const Nodes& z = grid.nodes;

@@ -49,6 +49,9 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
 /// The flux that crosses between both bodies in a solution, where it is solved for.
 std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x);
 
+/// That flux at every s in -1 < s < 1, in units of v* p*, of any two bodies that conduct.
+Eigen::ArrayXd exchanged_heat_flux(const CoupledSolution& x, const Eigen::ArrayXd& s);
+
 /// The solution on a grid of n unknowns, from that of a coarser one.
 using NextGrid = std::function<GridSolution(int n, const GridSolution& last)>;
 

@@ -188,6 +188,13 @@ Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
   return s;
 }
 
+void share_heat_flux(const Solution& x, Profile& y) {
+  y.heat_flux_1 = heat_share(x.scene) * y.heat_flux;
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found))
+    y.heat_flux_1 += exchanged_heat_flux(*found, y.s);
+  y.heat_flux_2 = y.heat_flux - y.heat_flux_1;
+}
+
 Profile carter_profile(const Scene& scene, const Carter& c) {
   constexpr Eigen::Index zone = 100;  // intervals to each zone
   const bool slips = c.slip_half_width > 0;
@@ -357,6 +364,7 @@ Profile profile(const Solution& x) {
         "temperature is infinite");
   const auto* found = std::get_if<CoupledSolution>(&x.found);
   Profile y = found ? profile(*found) : carter_profile(x.scene, std::get<Carter>(x.found));
+  if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
   if (x.scene.direction == Direction::braking) {
     y.traction *= -1;
     y.slip *= -1;

@@ -11,7 +11,9 @@ NamesAreThoseOfTheReport() {
   for name in closed_form temperature_curve/points:400 \
     gauss_chebyshev{,_thrifty,_moments}/n:{25,200,800}/Pe:{100,4360}/H:0.0175 \
     gauss_chebyshev{,_thrifty,_moments}/n:200/Pe:100/H:1 \
-    coupled/tol:{0.01,1e-06,1e-08}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1}; do
+    coupled/tol:{0.01,1e-06,1e-08}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1} \
+    {identical/tau:{0,-1},unlike/{share,bulk_difference}}/Pe:{100/H:1,4360/H:0.0175} \
+    friction_law/{border,creep,traction,curve:100}/Pe:{100/H:1,4360/H:0.0175}; do
     grep -qxF "$name" "$work/names" || fail "no benchmark $name"
   done
   [ -z "$(sort "$work/names" | uniq -d)" ] || fail "named twice: $(sort "$work/names" | uniq -d)"
@@ -24,6 +26,16 @@ TimesCanBeRead() {
   "$program" figure-data times --times "$work/times.json" --output "$work/times.csv"
   [ "$(wc -l <"$work/times.csv")" = 5 ] || fail "$(cat "$work/times.csv")"
   awk -F, 'NR > 1 && !($2 > 0 && $2 < 10) { exit 1 }' "$work/times.csv" || fail "$(cat "$work/times.csv")"
+}
+
+# What extends a scene is timed against one body, and says how many times as long it takes.
+RatiosToOneBody() {
+  "$bench" --benchmark_filter='^(identical|unlike|friction_law)/' --benchmark_min_time=0 \
+    --benchmark_format=json >"$work/times.json" 2>/dev/null
+  local ratios
+  ratios=$(sed -nE 's/^ *"ratio": ([0-9.e+-]+),?$/\1/p' "$work/times.json")
+  [ "$(wc -l <<<"$ratios")" = 16 ] || fail "ratios: $ratios"
+  awk '!($1 > 0) { exit 1 }' <<<"$ratios" || fail "no times: $ratios"
 }
 
 # Each but the longest runs, and reports no error but that the scheme does not settle in some scene.

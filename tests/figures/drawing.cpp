@@ -44,10 +44,11 @@ void check_structure(const std::string& figure, const Picture& picture, std::siz
                      Wrong& wrong) {
   const std::map<std::string, std::string> heights{
       {"cost", "640"}, {"traction", "600"}, {"slip", "600"}, {"temperatures", "620"}};
-  const auto own = heights.find(figure);
-  const std::string height = own != heights.end()                 ? own->second
-                             : figure.rfind("speed-", 0) == 0 ? "900"
-                                                              : "380";
+  const auto is_a = [&](const std::string& kind) { return figure.rfind(kind, 0) == 0; };
+  const std::string height = heights.count(figure) > 0              ? heights.at(figure)
+                             : is_a("speed-")                       ? "900"
+                             : is_a("share-") || is_a("hot-wheel-") ? "300"
+                                                                    : "380";
   if (picture.view_box != "0 0 560 " + height) wrong.push_back("viewBox");
   std::string id = figure;
   std::replace(id.begin(), id.end(), '-', '_');

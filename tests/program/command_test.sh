@@ -176,6 +176,26 @@ ProfileHasAllColumns() {
       same($9, 0.6 * $3 * $7) && same($11, $10 * unit)) { exit 1 }' p.csv || fail "$(cat p.csv)"
 }
 
+# The flux into each body stands in columns of its own, where both conduct: together they are the
+# heat of friction, and behind a hot wheel's leading edge they are opposite.
+ProfileOfTwoBodies() {
+  local header=s,pressure,traction,slip,heat_flux,temperature,heat_flux_1,heat_flux_2
+  local scene=(--friction 0.6 --traction 0.4 --peclet 100 --heating 0.1) warm
+  for warm in 0 0.01; do
+    answers solve "${scene[@]}" --roller conducting --conductivity-ratio 2 --heating-2 0.1 --peclet-2 50 \
+      --bulk-difference $warm --profile p.csv
+    [ "$(head -1 p.csv)" = $header ] || fail "$(head -1 p.csv)"
+    awk -F, -v warm=$warm 'NR == 1 { next } NF != 8 || ($7 + $8 - $5)^2 > 1e-30 { exit 1 }
+      $1 < -0.5 && (warm > 0 ? $7 < 0.01 || $8 > -0.01 : $7^2 > 1e-14) { exit 1 }
+      END { exit !(NR > 30) }' p.csv || fail "$(cat p.csv)"
+  done
+  answers solve "${steel[@]}" --half-width 5.5e-3 --roller identical --profile p.csv
+  head -1 p.csv | grep -q ',heat_flux_1,heat_flux_1_w_per_m2,heat_flux_2,heat_flux_2_w_per_m2$' ||
+    fail "$(head -1 p.csv)"
+  awk -F, 'NR > 1 && (($12 - $8 / 2)^2 > 1e-30 || ($13 - $9 / 2)^2 > (1e-12 * $9)^2 || $15 != $13) { exit 1 }' p.csv ||
+    fail "$(cat p.csv)"
+}
+
 ProfileAndResultOrNeither() {
   local profile=(--profile p.csv)
   refuses 2 "gauss-chebyshev has no profile" solve "${paper_scene[@]}" --method gauss-chebyshev "${profile[@]}"

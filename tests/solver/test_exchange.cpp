@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "solver/contact_grid.hpp"
 #include "solver/exchange.hpp"
+#include "solver/grid_solution.hpp"
 #include "solver/surface.hpp"
 #include "thermoroll/solution.hpp"
 
@@ -473,6 +475,72 @@ TEST(Exchange, SolutionsAreWithinTheirErrors) {
     for (int k = 0; k < compared; ++k)
       EXPECT_LE(std::abs(rough.value[k] - fine.value[k]), rough.error[k] + fine.error[k])
           << i << ": " << k;
+  }
+}
+
+// The flux into body 1 of the references, at three places where the bodies stick and five where
+// they slip. They are of order 0.1, to which the tolerance of 1e-6 is relative. The first pair has
+// kernels with what crosses in them.
+const double places[] = {-0.872578125, -0.59225, -0.311921875, -0.151334,
+                         0.000578125,  0.40775,  0.814921875,  0.966834};
+const double fluxes_1[][8] = {{2.035338891e-15, 4.046865851e-11, 2.525950779e-06, 0.02053469415,
+                               0.04952331691, 0.09693749362, 0.103235711, 0.0577720358},
+                              {0.007645889068, 0.009288888193, 0.01474690883, 0.03177680062,
+                               0.05428249927, 0.08651314676, 0.07232113089, 0.03344844944},
+                              {0.1117604316, 0.06247598054, 0.04809403224, 0.05988971,
+                               0.08315392556, 0.1221425428, 0.1284069494, 0.09108206004},
+                              {0.1055322362, 0.05899431351, 0.04541632058, 0.06101787184,
+                               0.08577973511, 0.1242864042, 0.1241662233, 0.07937600625}};
+
+TEST(Exchange, ProfilesHaveTheFluxIntoEitherBody) {
+  const Eigen::Map<const ArrayXd> s(places, 8);
+  for (int i = 0; i < 4; ++i) {
+    const Scene scene = references[i].bodies.scene_with_bulk();
+    SCOPED_TRACE(references[i].name);
+    const Solution x = solve(scene, {Quantity::stick_slip_border, -0.1845},
+                             {Method::coupled, Formulation::corrected, 200, 1e-6});
+    const CoupledSolution& found = std::get<CoupledSolution>(x.found);
+    const ArrayXd exchanged = exchanged_heat_flux(found, s);
+    const HeatFlux heat = coupled_flux(found);
+    for (Index k = 0; k < 8; ++k) {
+      const double g = k < 3 ? 0 : heat.density(s(k) + 0.1845, 1 - s(k));
+      EXPECT_NEAR(heat_share(scene) * g + exchanged(k), fluxes_1[i][k], 1e-6) << s(k);
+    }
+    const Profile along = profile(x);
+    const ArrayXd into_1 =
+        heat_share(scene) * along.heat_flux + exchanged_heat_flux(found, along.s);
+    EXPECT_EQ((along.heat_flux_1 - into_1).abs().maxCoeff(), 0);
+    const ArrayXd total = along.heat_flux_1 + along.heat_flux_2;
+    EXPECT_LT((total - along.heat_flux).abs().maxCoeff(), 1e-15 * along.heat_flux_1.maxCoeff());
+  }
+}
+
+// Ahead of the border heat leaves the body of the higher diffusivity, whichever has the higher
+// effusivity, and less the farther: at the trailing side of the zone that sticks it is largest.
+TEST(Exchange, HeatRunsAheadInTheMoreDiffusiveBody) {
+  const ArrayXd s = ArrayXd::LinSpaced(9, -0.9, -0.21);
+  for (const double ratio : {0.1, 1.0, 10.0})
+    for (const double faster : {0.2, 5.0}) {
+      const Scene scene{0.6, 5, 0, {ratio, 0, 5 * faster}};
+      const CoupledSolution x =
+          solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::stick_slip_border, -0.2});
+      const ArrayXd into_1 = (faster < 1 ? 1 : -1) * exchanged_heat_flux(x, s);
+      EXPECT_GT(into_1.minCoeff(), 0) << ratio << ", " << faster;
+      EXPECT_EQ(into_1.maxCoeff(), into_1(8)) << ratio << ", " << faster;
+    }
+}
+
+// Nothing crosses between bodies of one diffusivity that are equally warm, in no model. An
+// insulated cylinder has no flux to tell of.
+TEST(Exchange, AlikeBodiesShareTheFluxOfAProfile) {
+  for (const Method method : {Method::closed_form, Method::first_order, Method::coupled}) {
+    const Approach approach{method, Formulation::corrected, 200, 1e-4};
+    const Profile along =
+        profile(solve({0.6, 100, 0.01, {0.25, 0.01}}, {Quantity::traction, 0.4}, approach));
+    EXPECT_GT(along.heat_flux.maxCoeff(), 0.1);
+    EXPECT_EQ((along.heat_flux_1 - 0.8 * along.heat_flux).abs().maxCoeff(), 0);
+    const Profile alone = profile(solve({0.6, 100, 0.01}, {Quantity::traction, 0.4}, approach));
+    EXPECT_EQ(alone.heat_flux_1.size() + alone.heat_flux_2.size(), 0);
   }
 }
 

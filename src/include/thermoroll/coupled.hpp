@@ -174,6 +174,9 @@ HeatFlux coupled_flux(const CoupledSolution& x);
 /// What varies along the contact, at ascending s inside (-1, 1); dimensionless.
 struct Profile {
   Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
+  /// The fluxes into the half-space and into the cylinder, which add up to heat_flux; in profile()
+  /// of a Solution, empty where the cylinder is an insulator.
+  Eigen::ArrayXd heat_flux_1{}, heat_flux_2{};
 };
 
 /// The profiles of a solution, at the nodes of its last grid.
