@@ -3,44 +3,41 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_min.h>
+#include <Eigen/LU>
 
-#include "solver/graded_rule.hpp"
 #include "solver/grid_solution.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::MatrixXd;
 using enum Quantity;
 
 namespace {
 
 /// The traction-creep curve on grids of n unknowns, by the parameter of @eq:curve-parameter.
-class CreepCurve {
- public:
-  CreepCurve(const Scene& scene, Formulation formulation, int n)
-      : scene_(scene), formulation_(formulation), n_(n) {
-    all_slips_ = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
-  }
-  GridSolution at(double rho, const GridSolution& from) const {
-    if (rho < 1) return solve_on_grid(scene_, formulation_, n_, {2 * rho, 2 - 2 * rho}, from);
-    return solve_slipping_grid(scene_, formulation_, n_, all_slips_ / (2 - rho), from);
-  }
-
- private:
-  Scene scene_;
-  Formulation formulation_;
-  int n_;
-  double all_slips_;
+struct CreepCurve {
+  Scene scene;
+  Formulation formulation;
+  int n;
+  double all_slips = 0;  // xi1*, 0 as long as it is not known
 };
+
+GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from) {
+  const auto& [scene, formulation, n, known] = curve;
+  if (rho < 1)
+    return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho}, from);
+  if (known == 0)
+    curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
+  const bool slips = from.at.slip == 2;
+  return solve_slipping_grid(scene, formulation, n, known / (2 - rho),
+                             slips ? from : GridSolution{});
+}
 
 struct OnCurve {
   double rho;
@@ -48,126 +45,188 @@ struct OnCurve {
   double traction() const { return solution.value(Quantity::traction); }
 };
 
-std::vector<OnCurve> walk(const CreepCurve& curve, double friction, double asked) {
-  std::vector<OnCurve> points;
-  const double little = std::min(0.003, 0.1 * asked / friction);  // a fifth of Carter's
-  for (double rho : {little, 0.03, 0.1, 0.2, 0.3, 0.4, 0.5,  0.6,  0.7,  0.8,  0.9,
-                     0.97,   1.0,  1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
-    const bool starts = points.empty() || rho == 1;
-    const OnCurve now{rho, curve.at(rho, starts ? GridSolution{} : points.back().solution)};
-    if (now.solution.newton_steps == 0) continue;
-    const bool falls = !points.empty() && now.traction() < points.back().traction();
-    points.push_back(now);
-    if (falls && rho > 1 && now.traction() < asked) break;
-  }
-  return points;
-}
+using Points = std::vector<OnCurve>;
 
-struct Search {
-  const CreepCurve& curve;
-  GridSolution last;
+bool is_lower(const OnCurve& a, const OnCurve& b) { return a.traction() < b.traction(); }
+
+struct Walk {
+  CreepCurve curve;
+  Points points{};   // by rho
+  bool whole = true;  // all points were a contact
 };
 
-double less_traction(double rho, void* search) {
-  auto& s = *static_cast<Search*>(search);
-  s.last = s.curve.at(rho, s.last);
-  return -s.last.value(Quantity::traction);
+/// Put the solution at rho before the point of this index.
+bool add(Walk& x, std::size_t index, double rho, const GridSolution& from) {
+  const OnCurve now{rho, solution_on(x.curve, rho, from)};
+  const bool solved = now.solution.newton_steps > 0;
+  x.whole = x.whole && solved && now.solution.violations.empty();
+  if (solved) x.points.insert(x.points.begin() + static_cast<std::ptrdiff_t>(index), now);
+  return solved;
 }
 
-/// Put the highest point between its neighbours; its index.
-std::size_t add_highest(const CreepCurve& curve, std::vector<OnCurve>& points) {
-  const auto higher = [](const OnCurve& a, const OnCurve& b) {
-    return a.traction() < b.traction();
-  };
-  const auto best = std::max_element(points.begin(), points.end(), higher);
-  const auto index = static_cast<std::size_t>(best - points.begin());
-  if (best == points.begin() || best + 1 == points.end()) return index;
-  Search search{curve, best->solution};
-  gsl_function f{less_traction, &search};
-  double rho = best->rho;
-  gsl_min_fminimizer* brent = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
-  if (brent == nullptr) throw std::bad_alloc();
-  gsl_min_fminimizer_set_with_values(brent, &f, rho, -best->traction(), (best - 1)->rho,
-                                     -(best - 1)->traction(), (best + 1)->rho,
-                                     -(best + 1)->traction());
-  for (int k = 0; k < 30; ++k) {
-    if (gsl_min_fminimizer_iterate(brent) != GSL_SUCCESS) break;
-    rho = gsl_min_fminimizer_x_minimum(brent);
-    if (gsl_min_fminimizer_x_upper(brent) - gsl_min_fminimizer_x_lower(brent) < 1e-3) break;
+Walk walk(const CreepCurve& curve, double asked, Branch branch) {
+  Walk x{curve};
+  const double share = std::min(asked / curve.scene.friction, 0.8);
+  const double first = std::sqrt(share / (1 + std::sqrt(1 - share)));  // slip is 2 first^2
+  const auto falls = [&](std::size_t i) { return is_lower(x.points[i], x.points[i - 1]); };
+  for (const double place : {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95,
+                             1.99, 1.999}) {
+    const std::size_t size = x.points.size();
+    const double rho = place < 1 ? first + (1 - first) * place : place;
+    if (!add(x, size, rho, size > 0 ? x.points.back().solution : GridSolution{}) || size == 0)
+      continue;
+    if (falls(size) && (branch == Branch::rising || x.points.back().traction() < asked)) break;
   }
-  gsl_min_fminimizer_free(brent);
-  const OnCurve highest{rho, curve.at(rho, best->solution)};
-  if (highest.traction() <= best->traction()) return index;
-  const bool before = rho < best->rho;
-  points.insert(before ? best : best + 1, highest);
-  return before ? index : index + 1;
+  for (int k = 0; k < 12 && x.points.size() > 1; ++k) {
+    if (x.points[0].traction() < asked && !falls(1)) break;
+    if (!add(x, 0, 0.6 * std::min(x.points[0].rho, 1.0), {})) break;
+  }
+  return x;
 }
 
-struct Extremum {
-  double traction, creep;
+/// Powers of (rho - middle) / reach, a row each, for all results.
+struct LocalCurve {
+  double middle, reach;
+  MatrixXd powers;
 };
 
-Extremum extremum(const CreepCurve& curve, double rho, GridSolution near) {
-  const double room = std::min({rho, std::abs(1 - rho), 2 - rho}), reach = std::min(0.05, room / 2);
-  if (room < 1e-3) {  // where the stick zone vanishes
-    const GridSolution corner = curve.at(1, {});
-    return {corner.value(Quantity::traction), corner.value(Quantity::creep)};
+/// The value, or a derivative by rho.
+Results derivative(const LocalCurve& local, int order, double rho) {
+  Results sum = Results::Zero();
+  for (Index k = local.powers.rows() - 1; k >= order; --k) {
+    double factor = 1;
+    for (Index i = 0; i < order; ++i) factor *= static_cast<double>(k - i) / local.reach;
+    sum = sum * ((rho - local.middle) / local.reach) +
+          factor * local.powers.row(k).transpose().array();
   }
-  const GaussLegendre& rule = gauss_legendre(5);
-  VectorXd traction(5), creep(5);
-  for (Index i = 0; i < 5; ++i) {
-    near = curve.at(rho + reach * rule.x(i), near);
-    traction(i) = near.value(Quantity::traction);
-    creep(i) = near.value(Quantity::creep);
-  }
-  const VectorXd q = to_legendre(rule) * traction, xi = to_legendre(rule) * creep;
-  const VectorXd slope = derivative(q), bend = derivative(slope);
-  const auto value = [](const VectorXd& c, double x) {
-    return (legendre(ArrayXd::Constant(1, x), c.size()) * c)(0);
-  };
-  double x = 0;
-  for (int k = 0; k < 20; ++k) x = std::clamp(x - value(slope, x) / value(bend, x), -1.0, 1.0);
-  return {value(q, x), value(xi, x)};
+  return sum;
 }
 
-TractionLimit traction_limit(const Scene& scene, Formulation formulation, double tolerance,
-                             const OnCurve& near) {
-  Extremum last{0, 0};
-  for (int n = 20; n <= most_unknowns; n *= 2) {
-    GridSolution start;
-    if (near.solution.h.size() <= n) start = near.solution;
-    const Extremum now = extremum(CreepCurve(scene, formulation, n), near.rho, start);
-    const double moved = std::abs(now.traction - last.traction),
-                 creep_moved = std::abs(now.creep - last.creep);
-    if (0.2 * std::max(moved, creep_moved / now.creep) < tolerance)
-      return {now.traction, now.creep, 0.2 * moved, 0.2 * creep_moved};
+LocalCurve local_curve(Points points, double middle, bool sticks) {
+  std::erase_if(points, [&](const OnCurve& x) { return sticks ? x.rho > 1 : x.rho < 1; });
+  std::sort(points.begin(), points.end(), [&](const OnCurve& a, const OnCurve& b) {
+    return std::abs(a.rho - middle) < std::abs(b.rho - middle);
+  });
+  const auto size = static_cast<Index>(std::min<std::size_t>(points.size(), 5));
+  const double reach = std::abs(points[static_cast<std::size_t>(size - 1)].rho - middle);
+  MatrixXd places = MatrixXd::Ones(size, size), values(size, Results().size());
+  for (Index i = 0; i < size; ++i) {
+    const OnCurve& at = points[static_cast<std::size_t>(i)];
+    for (Index k = 1; k < size; ++k) places(i, k) = places(i, k - 1) * (at.rho - middle) / reach;
+    values.row(i) = at.solution.value.matrix();
+  }
+  return {middle, reach, places.partialPivLu().solve(values)};
+}
+
+/// Where, from low to high, the traction or its derivative by rho changes from one side of the
+/// value to the other.
+double place_of(const LocalCurve& local, int order, double value, double low, double high) {
+  const bool above = derivative(local, order, low)(traction) > value;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = (low + high) / 2;
+    ((derivative(local, order, middle)(traction) > value) == above ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The curve about its highest point, in its middle, which is put among the points; none if that
+/// is at an end.
+std::optional<LocalCurve> about_the_highest(Walk& x) {
+  for (int k = 0;; ++k) {
+    const auto best = std::max_element(x.points.begin(), x.points.end(), is_lower);
+    if (best == x.points.begin() || best + 1 == x.points.end()) return std::nullopt;
+    const double here = best->rho;
+    bool sticks = here <= 1;
+    LocalCurve local = local_curve(x.points, here, sticks);
+    if (here == 1 && derivative(local, 1, 1)(traction) > 0) {
+      sticks = false;
+      local = local_curve(x.points, here, sticks);
+    }
+    const double low = (best - 1)->rho, high = (best + 1)->rho;
+    const double rho = place_of(local, 1, 0, sticks ? low : std::max(low, 1.0),
+                                sticks ? std::min(high, 1.0) : high);
+    if (k == 8 || std::abs(rho - here) < 1e-3) return local;
+    const auto index = static_cast<std::size_t>(best - x.points.begin()) + (rho > here ? 1 : 0);
+    if (!add(x, index, rho, best->solution)) return local;
+  }
+}
+
+/// The coarse curve and a straight line, by two solutions on the grid of the curve, about a place;
+/// the second is left in level. None where there is no solution.
+std::optional<LocalCurve> corrected(CreepCurve& curve, LocalCurve local, double place,
+                                    GridSolution& level) {
+  constexpr double apart = 0.005;
+  const GridSolution left = solution_on(curve, place - apart, level);
+  level = solution_on(curve, place + apart, left);
+  if (left.newton_steps == 0 || level.newton_steps == 0) return std::nullopt;
+  const Results less = left.value - derivative(local, 0, place - apart),
+                more = level.value - derivative(local, 0, place + apart);
+  const Results slope = (more - less) / (2 * apart);
+  local.powers.row(0) += ((less + more) / 2 + slope * (local.middle - place)).matrix();
+  local.powers.row(1) += (slope * local.reach).matrix();
+  return local;
+}
+
+TractionLimit traction_limit(CreepCurve curve, double tolerance, const LocalCurve& coarse,
+                             GridSolution level) {
+  const double here = coarse.middle;
+  const double place = here <= 1 ? std::min(here, 0.99) : std::max(here, 1.01);
+  const auto highest = [&](const LocalCurve& local) {
+    return derivative(local, 0,
+                      place_of(local, 1, 0, here - local.reach / 2, here + local.reach / 2));
+  };
+  Results last = highest(coarse);
+  for (int n = std::max(24, unknowns_after(curve.n)); n > curve.n; n = unknowns_after(n)) {
+    curve.n = n;
+    const GridSolution before = level;
+    const std::optional<LocalCurve> finer = corrected(curve, coarse, place, level);
+    if (!finer) continue;
+    const Results now = highest(*finer);
+    const Results moved = part_with_law(before.h, level.h) * (now - last).abs();
+    if (std::max(moved(traction), moved(creep) / now(creep)) < tolerance)
+      return {now(traction), now(creep), moved(traction), moved(creep)};
     last = now;
   }
   throw NotResolved("coupled: the largest traction is not resolved to " + shortest(tolerance), {});
 }
 
-/// Two points about the traction on this side of the highest one; the same twice if there are none.
-std::pair<OnCurve, OnCurve> enclose(const CreepCurve& curve, const std::vector<OnCurve>& points,
-                                    std::size_t highest, Branch branch, double asked) {
+/// The index of the second of two points about the traction on a branch; 0 if there are none.
+std::size_t enclosing(const Points& points, Branch branch, double asked) {
+  const auto top = std::max_element(points.begin(), points.end(), is_lower);
+  const auto highest = static_cast<std::size_t>(top - points.begin());
   const bool rising = branch == Branch::rising;
-  for (std::size_t i = rising ? 0 : highest; i + 1 < points.size(); ++i) {
-    if (rising && i >= highest) break;
-    OnCurve a = points[i], b = points[i + 1];
-    if ((a.traction() < asked) == (b.traction() < asked)) continue;
-    for (int halving = 0; halving < 10; ++halving) {
-      const double middle = (a.rho + b.rho) / 2;
-      const OnCurve c{middle, curve.at(middle, a.solution)};
-      ((c.traction() < asked) == (a.traction() < asked) ? a : b) = c;
-    }
-    return {a, b};
+  for (std::size_t i = rising ? 1 : highest + 1; i < (rising ? highest + 1 : points.size()); ++i)
+    if ((points[i - 1].traction() < asked) != (points[i].traction() < asked)) return i;
+  return 0;
+}
+
+/// A solution of the walk at about this traction, and the curve about it, in its middle.
+struct Enclosed {
+  GridSolution solution{};
+  LocalCurve local{};
+};
+
+Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
+  Enclosed found;
+  for (int k = 0; k < 8; ++k) {
+    const std::size_t i = enclosing(x.points, branch, asked);
+    if (i == 0) break;
+    const double low = x.points[i - 1].rho, high = x.points[i].rho;
+    const LocalCurve local = local_curve(x.points, (low + high) / 2, high <= 1);
+    const double rho = place_of(local, 0, asked, low, high);
+    if (k > 0 && std::abs(rho - found.local.middle) < 1e-4) break;
+    if (!add(x, i, rho, x.points[rho - low < high - rho ? i - 1 : i].solution)) break;
+    found = {x.points[i].solution, local_curve(x.points, rho, high <= 1)};
   }
-  return {points.front(), points.front()};
+  return found;
 }
 
 /// Solve with n unknowns where the derivative says, moving on until less than share of each result
-/// is left to be carried over; slope, the derivative by the traction, is improved.
-GridSolution settle(const Scene& scene, Formulation formulation, int n, const Prescribed& given,
-                    const GridSolution& from, Results& slope, double share) {
+/// is left to second order; slope, the derivative by the traction, is improved. The curvature is
+/// that of the traction by the parameter, over the square of its slope.
+GridSolution settle(const CreepCurve& curve, const Prescribed& given, const GridSolution& from,
+                    Results& slope, double curvature, double share) {
+  const auto& [scene, formulation, n, unused] = curve;
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
     const GridSolution last = level;
@@ -178,17 +237,16 @@ GridSolution settle(const Scene& scene, Formulation formulation, int n, const Pr
                 : solve_on_grid(scene, formulation, n,
                                 moved_by(last.at, slope(stick_slip_border) * missing), last);
     if (level.newton_steps == 0) break;
-    const double moved = level.value(traction) - last.value(traction);
+    const double moved = level.value(traction) - last.value(traction), rest = residual(level, given);
     if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;
-    const Results carried = slope * residual(level, given) / scale_of(level.value);
-    if (carried.head(compared).abs().maxCoeff() < share) break;
+    const Results left = slope * curvature * rest * rest / scale_of(level.value);
+    if (left.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
 
-void refuse_beyond(const std::vector<OnCurve>& points, std::size_t highest,
-                   const std::optional<TractionLimit>& limit, Branch branch, double asked,
-                   double sign) {
+void refuse_beyond(const Points& points, const std::optional<TractionLimit>& limit, Branch branch,
+                   double asked, double sign) {
   const auto must_be = [&](bool allowed, const std::string& range) {
     require(allowed, "traction", sign * asked, range);
   };
@@ -200,7 +258,8 @@ void refuse_beyond(const std::vector<OnCurve>& points, std::size_t highest,
     must_be(asked <= limit->traction, at_most + fixed(sign * limit->traction, 6) +
                                           ", the largest, at the creep " +
                                           fixed(sign * limit->creep, 6));
-  const double most = points[highest].traction(), least = points.back().traction();
+  const auto highest = std::max_element(points.begin(), points.end(), is_lower);
+  const double most = highest->traction(), least = points.back().traction();
   if (!limit) must_be(asked < most, below + fixed(sign * most, 4));
   if (branch == Branch::falling)
     must_be(asked > least, above + fixed(sign * least, 4) + " on the falling branch");
@@ -210,28 +269,29 @@ void refuse_beyond(const std::vector<OnCurve>& points, std::size_t highest,
 
 CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
                                 double asked, Branch branch) {
-  const CreepCurve coarse(scene, formulation, 16), finer(scene, formulation, 40);
-  std::vector<OnCurve> points = walk(coarse, scene.friction, asked);
-  const bool found = points.size() > 10 && points.back().rho > 1;
-  const CreepCurve& curve = found ? coarse : finer;
-  if (!found) points = walk(finer, scene.friction, asked);
-  if (points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
-  const std::size_t highest = add_highest(curve, points);
+  Walk x = walk({scene, formulation, 10}, asked, branch);
+  while (!x.whole && x.curve.n < 40) x = walk({scene, formulation, 2 * x.curve.n}, asked, branch);
+  if (x.points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
+  const std::optional<LocalCurve> top = about_the_highest(x);
+  const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
-  if (highest + 1 < points.size())
-    limit = traction_limit(scene, formulation, tolerance, points[highest]);
-  refuse_beyond(points, highest, limit, branch, asked, sign_of(scene.direction));
-  const auto [a, b] = enclose(curve, points, highest, branch, asked);
+  if (top) limit = traction_limit(x.curve, tolerance, *top, highest.solution);
+  refuse_beyond(x.points, limit, branch, asked, sign_of(scene.direction));
+  const auto [level, local] =
+      about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
   const Prescribed given{traction, asked};
-  Results slope = (b.solution.value - a.solution.value) / (b.traction() - a.traction());
-  CoupledSolution x =
-      refine(scene, formulation, tolerance, given, a.solution, slope,
-             [&](int n, const GridSolution& last) {
-               return settle(scene, formulation, n, given, last, slope, tolerance / 10);
-             });
-  x.limit = limit;
-  x.branch = branch;
-  return x;
+  const Results by_rho = derivative(local, 1, local.middle);
+  const double per = by_rho(traction);
+  const double curvature = std::abs(derivative(local, 2, local.middle)(traction)) / (2 * per * per);
+  Results slope = by_rho / per;
+  CoupledSolution found = refine(scene, formulation, tolerance, given, level, slope,
+                                 [&](int n, const GridSolution& last) {
+                                   return settle({scene, formulation, n}, given, last, slope,
+                                                 curvature, tolerance / 10);
+                                 });
+  found.limit = limit;
+  found.branch = branch;
+  return found;
 }
 
 }  // namespace thermoroll

@@ -50,14 +50,12 @@ std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zet
   return k;
 }
 
-double upstream_share(const Conduction& c, double zeta) {
-  if (!c.pair) return std::exp(-2 * zeta);
-  const PairKernels k = pair_kernels(c, zeta);
-  return k.temperature_up / k.of.m_down;
-}
-
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) {
-  return zeta.unaryExpr([&](double at) { return upstream_share(c, at); });
+  if (!c.pair) return (zeta < 300).select((-2 * zeta).exp(), 0);  // not below what a number holds
+  return zeta.unaryExpr([&](double at) {
+    const PairKernels k = pair_kernels(c, at);
+    return k.temperature_up / k.of.m_down;
+  });
 }
 
 }  // namespace thermoroll

@@ -25,8 +25,7 @@ struct Conduction {
 /// The kernels at all of these distances |zeta| > 0.
 std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta);
 
-/// T* at the distance zeta > 0 ahead of a source over that behind it; one, or all of them.
-double upstream_share(const Conduction& c, double zeta);
+/// T* at the distances zeta > 0 ahead of a source over that behind it.
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta);
 
 }  // namespace thermoroll

@@ -33,7 +33,7 @@ struct LawAtNodes {
 
 LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
-  ArrayXd temperature = share * (grid.hot->temperature.topRows(x.p.rows()) * h).array();
+  ArrayXd temperature = share * (grid.thermal.temperature.topRows(x.p.rows()) * h).array();
   if (grid.hot->bulk.size() > 0) temperature += grid.hot->bulk.head(x.p.rows());
   LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}, {}, {}};
   for (Index i = 0; i < temperature.size(); ++i) {
@@ -52,22 +52,19 @@ LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h
 
 MatrixXd jacobian_with_law(const ContactGrid& grid, double share, const LawAtNodes& at) {
   const TractionOperators& x = grid.tractions;
-  const ArrayXd& sigma = grid.nodes.sigma;
-  const MatrixXd dt = share * grid.hot->temperature.topRows(x.p.rows());
-  const MatrixXd dp = share * x.p;
-  MatrixXd dv = (1 - at.phi).matrix().asDiagonal() * dp;
-  dv -= (at.pressure * at.slope).matrix().asDiagonal() * dt;
-  dv = grid.hot->s * dv;
-  dv += (1 - at.phi).matrix().asDiagonal() * (grid.hot->at_node * dp);
-  dv -= (at.slope * at.pressure).matrix().asDiagonal() * (grid.hot->at_node * dt);
-  dv -= (at.slope * at.by_pressure).matrix().asDiagonal() * dt;
-  dv -= (at.slope * at.by_temperature).matrix().asDiagonal() * dp;
-  dv = share * x.v + grid.scene.friction * dv;
-  MatrixXd jacobian = grid.rules.slip.p;
-  jacobian -= (sigma * at.slip * at.phi).matrix().asDiagonal() * dp;
-  jacobian -= (sigma * at.pressure * at.phi).matrix().asDiagonal() * dv;
-  jacobian -= (sigma * at.pressure * at.slip * at.slope).matrix().asDiagonal() * dt;
-  return jacobian;
+  const HotFriction& hot = *grid.hot;
+  const auto dt = grid.thermal.temperature.topRows(x.p.rows());
+  const ArrayXd lost = 1 - at.phi, bent = at.slope * at.pressure;
+  const auto rows = [](const ArrayXd& by) { return by.matrix().asDiagonal(); };
+  const MatrixXd db = rows(lost) * x.p - rows(bent) * dt;
+  MatrixXd dv = hot.s * db;
+  dv += rows(lost) * hot.p - rows(bent) * hot.t;
+  dv -= rows(at.slope * at.by_temperature) * x.p + rows(at.slope * at.by_pressure) * dt;
+  const ArrayXd by_p = share * grid.nodes.sigma * at.slip * at.phi,
+                by_v = share * grid.nodes.sigma * at.pressure * at.phi,
+                by_t = share * grid.nodes.sigma * at.slip * bent;
+  return grid.rules.slip.p - rows(by_p) * x.p - rows(by_v) * x.v -
+         rows(grid.scene.friction * by_v) * dv - rows(by_t) * dt;
 }
 
 /// As newton(), with steps that are halved until the residual falls.
@@ -120,7 +117,7 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const ArrayXd& 
   const Nodes& z = grid.nodes;
   const LawAtNodes at = law_at_nodes(grid, 1, h);
   const ArrayXd lost = (1 - at.phi) * at.pressure;
-  ArrayXd temperature = grid.hot->temperature.bottomRows(z.d.size()) * h;
+  ArrayXd temperature = grid.thermal.temperature.bottomRows(z.d.size()) * h;
   if (grid.hot->bulk.size() > 0) temperature += grid.hot->bulk.tail(z.d.size());
   ArrayXd phi(z.d.size());
   for (Index i = 0; i < phi.size(); ++i) {
@@ -173,19 +170,20 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          const GridRules& rules, Index terms) {
   const Nodes nodes = place_nodes(zones, rules.slip, rules.stick);
-  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, rules.graded);
+  const GaussLegendre& graded =
+      scene.law ? rule_for_temperatures(scene, zones, rules) : rules.graded;
+  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, graded);
   std::optional<Exchange> crossing;
   if (exchanges(scene, zones)) {
     crossing = exchange(scene, formulation, nodes, rules, terms);
     add_exchange(*crossing, scene.bulk_difference, thermal);
   }
+  if (scene.law && crossing) thermal.temperature += crossing->temperature.leftCols(terms);
   ContactGrid grid{
       scene, rules, nodes, thermal, traction_operators(nodes, thermal, scene.friction), crossing};
-  if (scene.law) grid.hot = hot_friction(scene, nodes, rules, terms);
-  if (scene.law && crossing) {
-    grid.hot->temperature += crossing->temperature.leftCols(terms);
+  if (scene.law) grid.hot = hot_friction(nodes, rules.slip, grid.tractions.p, thermal.temperature);
+  if (scene.law && crossing)
     grid.hot->bulk = scene.bulk_difference * crossing->temperature.col(terms);
-  }
   return grid;
 }
 

@@ -1,4 +1,4 @@
-// Tangled from paper/12-coupled-problem.md, paper/13-border-and-error.md, paper/14-temperatures-and-profiles.md; edit there.
+// Tangled from paper/12-coupled-problem.md, paper/13-border-and-error.md, paper/14-temperatures-and-profiles.md, paper/21-hot-friction.md; edit there.
 #include "thermoroll/coupled.hpp"
 
 #include <algorithm>
@@ -46,11 +46,6 @@ double part_of_change(int n, bool slow) {
   return 0.2;
 }
 
-/// Size of the last quarter of the coefficients, relative to the largest.
-double tail(const VectorXd& h) {
-  return h.tail(h.size() / 4).lpNorm<Infinity>() / h.lpNorm<Infinity>();
-}
-
 /// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
 /// the tail now and before, and the change since the last grid; slow where convergence is.
 double estimate(const Results& change, double now, double before, int n, bool slow) {
@@ -60,6 +55,13 @@ double estimate(const Results& change, double now, double before, int n, bool sl
   const double shrunk = std::clamp(now / before, part / 4, part);
   return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(max_temperature)}) +
          4 * std::pow(24 + size, -6) + 1e-14 * size;
+}
+
+double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now) {
+  const double n = static_cast<double>(now.size());
+  return std::max(unresolved(tail(now), static_cast<int>(n), false),
+                  part_with_law(before, now) * change.head(compared).maxCoeff()) +
+         4 * std::pow(24 + n, -6) + 1e-14 * n;
 }
 
 bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
@@ -131,8 +133,10 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool bent = (scene.law && n > 40 && flat) || edged;
   const double remembered = edged ? 0.00025 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
-  const double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()
-                           : estimate(change, now, then, n, slow);
+  double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()
+                     : estimate(change, now, then, n, slow);
+  if (scene.law && !bent && !slow && !level.crossing)
+    left = estimate_with_law(change, last.h, level.h);
   return {value, change, left + rounding(given, slope, scale)};
 }
 
@@ -218,8 +222,9 @@ CoupledSolution refine(const Scene& scene, Formulation formulation, double toler
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
-  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, 5 * std::clamp(digits, 2, 6));
-  for (int stalled = 0;; n = std::min(2 * n, most_unknowns)) {
+  int n = std::max(3 * static_cast<int>(level.h.size()) / 2,
+                   (scene.law ? 4 : 5) * std::clamp(digits, 2, 6));
+  for (int stalled = 0;; n = scene.law ? unknowns_after(n) : std::min(2 * n, most_unknowns)) {
     const GridSolution last = level;
     const double best = found.error;
     level = next(n, last);

@@ -37,36 +37,49 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
   graded.by_h = 3 * middle / omega * du * dy;
 }
 
-void kernel_weights(const Conduction& c, const GradedRule& graded, KernelWeights& weights) {
+void kernel_weights(const Conduction& c, const GradedRule& graded, Index columns,
+                    KernelWeights& weights) {
   const std::vector<Kernels> kernels = at_distances(c, graded.zeta);
-  weights.resize(graded.y.size(), node_weights);
+  weights.resize(graded.y.size(), columns);
   for (Index i = 0; i < graded.y.size(); ++i) {
     const Kernels& k = kernels[static_cast<std::size_t>(i)];
-    weights.row(i) << k.n1 * graded.heat(i), k.n1 * graded.by_h(i), k.n1 * graded.by_dh(i),
-        k.n2_up * graded.heat(i), k.n2_down * graded.heat(i);
+    weights.row(i).head<node_weights>() << k.n1 * graded.heat(i), k.n1 * graded.by_h(i),
+        k.n1 * graded.by_dh(i), k.n2_up * graded.heat(i), k.n2_down * graded.heat(i);
+    if (columns > node_weights) weights(i, 6) = k.m_down * graded.heat(i);
   }
+  if (columns > node_weights) weights.col(5) = weights.col(6) * upstream_shares(c, graded.zeta);
 }
 
-THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& weights,
-                                     Sums& sums) {
+template <Index columns>
+[[gnu::always_inline]] inline void sum_columns(const GradedArray& y, const KernelWeights& weights,
+                                               Sums& sums) {
   GradedArray now = GradedArray::Ones(y.size()), next = y;
   Pack4 x, p, q, weight;
   for (Index l = 0; l < sums.cols(); ++l) {
     const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
-    Pack4 sum[node_weights] = {};
+    Pack4 sum[columns] = {};
     for (Index k = 0; k < y.size(); k += 4) {
       load(&y[k], x);
       load(&now[k], p);
       load(&next[k], q);
-      for (Index w = 0; w < node_weights; ++w) {
+      for (Index w = 0; w < columns; ++w) {
         load(&weights(k, w), weight);
         sum[w] += weight * p;
       }
       store(q, &now[k]);
       store(up * x * q - down * p, &next[k]);
     }
-    for (Index w = 0; w < node_weights; ++w) sums(w, l) = sum_of(sum[w]);
+    for (Index w = 0; w < columns; ++w) sums(w, l) = sum_of(sum[w]);
   }
+}
+
+THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& weights,
+                                     Sums& sums) {
+  sums.resize(weights.cols(), sums.cols());
+  if (weights.cols() == node_weights)
+    sum_columns<node_weights>(y, weights, sums);
+  else
+    sum_columns<most_weights>(y, weights, sums);
 }
 
 MatrixXd by_derivatives(const MatrixXd& sums) {

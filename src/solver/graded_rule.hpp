@@ -15,8 +15,11 @@ template <int columns>
 using GradedArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
 using GradedArray = GradedArrays<1>;
 inline constexpr int node_weights = 5;  // kernels times heat or its derivative, at each node
-using KernelWeights = GradedArrays<node_weights>;
-using Sums = Eigen::Matrix<double, node_weights, Eigen::Dynamic>;
+inline constexpr int most_weights = 7;  // with those of the temperature
+using KernelWeights =
+    Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns + 24, most_weights>;
+using Sums =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_weights, Eigen::Dynamic>;
 
 struct GradedRule {
   GradedArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
@@ -35,11 +38,13 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
            const GaussLegendre& rule);
 
 /// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 with the heat of the mirrored
-/// rule; a row for each node.
-void kernel_weights(const Conduction& c, const GradedRule& graded, KernelWeights& weights);
+/// rule; where there are seven columns M with the heat, and that of the mirrored rule. A row for
+/// each node.
+void kernel_weights(const Conduction& c, const GradedRule& graded, Eigen::Index columns,
+                    KernelWeights& weights);
 
-/// Column l of sums receives the sums of the five weights times P_l(y), for all columns; a multiple
-/// of four nodes.
+/// Column l of sums receives the sums of the five or seven weights times P_l(y), for all columns;
+/// a multiple of four nodes.
 void legendre_sums(const GradedArray& y, const KernelWeights& weights, Sums& sums);
 
 /// From sums with P_l, a column each, to sums with P_l'.

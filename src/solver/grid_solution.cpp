@@ -1,4 +1,4 @@
-// Tangled from paper/13-border-and-error.md, paper/20-full-slip.md; edit there.
+// Tangled from paper/13-border-and-error.md, paper/20-full-slip.md, paper/21-hot-friction.md; edit there.
 #include "solver/grid_solution.hpp"
 
 #include <algorithm>
@@ -123,9 +123,22 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
   return level;
 }
 
+double tail(const VectorXd& h) {
+  return h.tail(h.size() / 4).lpNorm<Eigen::Infinity>() / h.lpNorm<Eigen::Infinity>();
+}
+
 GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, int n, double creep,
                                  const GridSolution& from) {
   return solve_on(full_slip_grid(scene, formulation, n, creep), from);
+}
+
+int unknowns_after(int n) {
+  if (n < 60) return n < 36 ? 3 * n / 2 : 60;
+  return std::min(2 * n, most_unknowns);
+}
+
+double part_with_law(const VectorXd& before, const VectorXd& now) {
+  return std::clamp(tail(now) / tail(before), 0.01, 0.2);
 }
 
 }  // namespace thermoroll

@@ -46,6 +46,14 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope);
 
+/// Size of the last quarter of the coefficients, relative to the largest.
+double tail(const Eigen::VectorXd& h);
+
+/// With a law of friction, the part of a change since the grid before that is counted as an error,
+/// by the coefficients of h on that grid and on this; and the unknowns of the next grid.
+double part_with_law(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
+int unknowns_after(int n);
+
 /// The flux that crosses between both bodies in a solution, where it is solved for.
 std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x);
 

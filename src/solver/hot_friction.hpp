@@ -8,18 +8,23 @@
 
 namespace thermoroll {
 
-/// Matrices for a law of friction on the n slip nodes and m stick nodes.
+/// Matrices for a law of friction on the n slip nodes.
 struct HotFriction {
-  Eigen::MatrixXd temperature;  // T* at the n, then the m nodes; a column for each term of h
-  Eigen::MatrixXd s;            // S of @eq:lost-friction on the values of B, n x n, but for
-  Eigen::MatrixXd at_node;      // what the derivative of B at the node itself adds, n x n
-  Eigen::ArrayXd weight;        // of the integral in S
-  Eigen::ArrayXd moment;        // of that for the traction, @eq:lost-sums
-  Eigen::ArrayXd bulk{};        // what a bulk difference adds to T*, empty without one
+  Eigen::MatrixXd s;        // S of @eq:lost-friction on the values of B, n x n, but for
+  Eigen::MatrixXd at_node;  // what the derivative of B at the node itself adds, n x n
+  Eigen::MatrixXd p, t;     // that of p-hat and of T*, a column for each term of h
+  Eigen::ArrayXd weight;    // of the integral in S
+  Eigen::ArrayXd moment;    // of that for the traction, @eq:lost-sums
+  Eigen::ArrayXd bulk{};    // what a bulk difference adds to T* at all nodes, empty without one
 };
 
-/// These matrices on the nodes of a grid, for an h of so many terms.
-HotFriction hot_friction(const Scene& scene, const Nodes& z, const GridRules& rules,
-                         Eigen::Index terms);
+/// These matrices on the nodes of a grid and the rule of its slip zone, with p of p-hat and the
+/// matrix of T*.
+HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule, const Eigen::MatrixXd& p,
+                         const Eigen::MatrixXd& temperature);
+
+/// The graded rule of the thermal terms of a grid with a law.
+const GaussLegendre& rule_for_temperatures(const Scene& scene, const ZoneLengths& zones,
+                                           const GridRules& rules);
 
 }  // namespace thermoroll

@@ -30,6 +30,19 @@ void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd
   }
 }
 
+/// M at the distances zeta (columns), and as much further (rows).
+MatrixXd temperatures_further(const Conduction& c, const GradedArray& zeta,
+                              const ArrayXd& further) {
+  MatrixXd m(further.size(), zeta.size());
+  for (Index i = 0; i < zeta.size(); ++i) {
+    const ArrayXd at = zeta(i) + further, share = upstream_shares(c, at);
+    const std::vector<Kernels> all = at_distances(c, at);
+    for (Index j = 0; j < further.size(); ++j)
+      m(j, i) = all[static_cast<std::size_t>(j)].m_down * share(j);
+  }
+  return m;
+}
+
 }  // namespace
 
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
@@ -39,37 +52,46 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
   ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
+  if (scene.law) thermal.temperature.setZero(n + m, terms);
   GradedRule graded;
   KernelWeights weights;
-  Sums sums(node_weights, terms);
+  const Index columns = scene.law ? most_weights : node_weights;
+  Sums sums(columns, terms);
   MatrixXd by_dh(n, terms);
   RowVectorXd mirror = RowVectorXd::Ones(terms);
   for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
   for (Index i = 0; i < n; ++i) {
     grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
-    kernel_weights(conduction, graded, weights);
+    kernel_weights(conduction, graded, columns, weights);
     legendre_sums(graded.y, weights, sums);
     thermal.f.row(i) = sums.row(0);
     thermal.df.row(i) = sums.row(1);
     by_dh.row(i) = sums.row(2);
     thermal.g.row(i) += sums.row(3);
     thermal.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
+    if (!scene.law) continue;
+    thermal.temperature.row(i) += sums.row(5);
+    thermal.temperature.row(n - 1 - i) += sums.row(6).cwiseProduct(mirror);
   }
   thermal.df += by_derivatives(by_dh);
   if (m > 0) {
     const ArrayXd gap = z.d / slip;
     grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
+    const ArrayXd further = peclet * (gap - gap.minCoeff());
     MatrixXd n1, n2;
-    kernels_further(conduction, graded.zeta, peclet * (gap - gap.minCoeff()), n1, n2);
+    kernels_further(conduction, graded.zeta, further, n1, n2);
     const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
     thermal.f.bottomRows(m).noalias() = n1 * heat;
     thermal.g.bottomRows(m).noalias() = n2 * heat;
+    if (scene.law)
+      thermal.temperature.bottomRows(m) = temperatures_further(conduction, graded.zeta, further) * heat;
   }
   const double strain = conduction.pair ? sign_of(scene.direction) : strain_share(scene);
   const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
   thermal.g = strength * slip * (strain * thermal.g / pi + in_n * thermal.f);
   thermal.f *= -sign * strength * slip;
   thermal.df *= -sign * strength;
+  thermal.temperature *= heat_share(scene) * slip * slip / pi;
   return thermal;
 }
 

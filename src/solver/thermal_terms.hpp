@@ -11,10 +11,11 @@ namespace thermoroll {
 
 /// F, dF/ds and G of @eq:thermal-sides at the slip nodes, then (but for dF/ds) the stick nodes, as
 /// matrices on the Legendre coefficients of h; and what of them does not depend on h, empty where
-/// that is nothing.
+/// that is nothing. With a law of friction also T* at the slip nodes, then the stick nodes.
 struct ThermalTerms {
   Eigen::MatrixXd f, df, g;
   Eigen::VectorXd bulk_f{}, bulk_df{}, bulk_g{};
+  Eigen::MatrixXd temperature{};
 };
 
 /// These matrices on the nodes of a grid, for an h of so many terms, by graded rules of a multiple
