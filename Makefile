@@ -142,7 +142,7 @@ figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
 steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) build/benches-built \
-  build/data/times.json $(timed_files) $(figure_files) build/report.html
+  build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
 endif
@@ -171,9 +171,9 @@ all: build/thermoroll
 ## setup: install the Debian packages that the goals named beside it need
 
 ## reproduce: everything: program, data, figures, report, and the table of claims
-reproduce: build/data/claims.txt build/report.html
+reproduce: build/data/claims.txt build/report.html build/paper.html
 	@cat build/data/claims.txt
-	@echo "The report is build/report.html"
+	@echo "The report is build/report.html, its short version build/paper.html"
 
 ## data: compute every table
 data: $(data_files) $(timed_files)
@@ -181,8 +181,8 @@ data: $(data_files) $(timed_files)
 ## figures: draw every figure
 figures: $(figure_files)
 
-## report: write build/report.html
-report: build/report.html
+## report: write build/report.html, and its short version without code, build/paper.html
+report: build/report.html build/paper.html
 
 # --- Program --------------------------------------------------------------------------------------
 
@@ -266,10 +266,11 @@ build/math.woff2: paper/math-characters.txt | build
 revision = $(shell git describe --always --dirty 2>/dev/null)
 weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
   --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
-build/report.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
+build/paper.html: as := -M paper=yes
+build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@$(weave) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
+	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)
@@ -311,7 +312,7 @@ check: build/built
 	@$(compile) build/release --target unit-tests thermoroll-bench >build/check.log || { cat build/check.log; exit 1; }
 	@$(ctest) --preset check
 
-tested := build/data/claims.txt build/report.html
+tested := build/data/claims.txt build/report.html build/paper.html
 build_tests = @echo "Building the tests"; $(compile) build/release
 
 ## test: every test but those of test-release
@@ -399,12 +400,12 @@ browser := chromium --headless --no-sandbox --disable-gpu --disable-quic --no-fi
   --disable-background-networking --disable-component-update --disable-sync \
   --no-pdf-header-footer --disable-pdf-tagging
 
-## pdf: print the report to build/report.pdf (needs chromium)
-pdf: build/report.pdf
-build/report.pdf: build/report.html
+## pdf: print the report to build/report.pdf, its short version to build/paper.pdf (needs chromium)
+pdf: build/report.pdf build/paper.pdf
+build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@profile=$$(mktemp -d); trap 'rm -rf "$$profile"' EXIT; \
 	$(browser) --user-data-dir="$$profile" --print-to-pdf=$@.tmp \
-	  build/report.html 2>build/pdf.log || { cat build/pdf.log; exit 1; }
+	  $< 2>$@.log || { cat $@.log; exit 1; }
 	@mv $@.tmp $@
 	@echo "The PDF is $@"
 

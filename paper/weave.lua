@@ -12,6 +12,10 @@
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
+--   # Title {#sec:x .paper}, ::: {.paper}             this section's own text, or what is between the colons,
+--                                                     is in the short version too; a sentence that leads to a
+--                                                     chunk, the chunk and its tests are not
+--   ::: {.report}, ::: {.paper-only}                  what is in the other one only
 --   $$ ... $$ {#eq:x paper=25 status=sign}            an equation; `paper` is its number in the paper, or
 --                                                     "13, 18–20"; `status` is sign, misprint, open or fails;
 --                                                     chunk="Its title" and tests="A.B, A.C" are its evidence
@@ -107,11 +111,15 @@ end
 --- A text as gzip packs it: without a name and a time, so that it is the same each time.
 local function packed(text) return base64(pandoc.pipe("gzip", { "-9", "-n" }, text)) end
 
-local function link(id, html) return string.format('<a href="#%s">%s</a>', escape(id), html) end
-
 -- 1. Labels: what can be referred to, and what it is called -----------------------------------------
 
 local labels = {} -- id -> { kind, number, html }: what a link to it says, where that is not its number
+local in_report -- the labels of the report, if the short version is woven; it links to what it leaves out
+
+local function link(id, html)
+  local page = in_report and not labels[id] and "report.html" or ""
+  return string.format('<a href="%s#%s">%s</a>', page, escape(id), html)
+end
 local nouns = {
   eq = { "Eq.", "Eqs." }, fig = { "Figure", "Figures" }, tbl = { "Table", "Tables" },
   sec = { "Section", "Sections" }, appendix = { "Appendix", "Appendices" }, lst = { "", "" },
@@ -131,13 +139,14 @@ local function refers(id) return nouns[id:match("^(%l+):") or ""] ~= nil end
 
 --- A link that says "Eq. (7)", or only "(7)" if `bare`.
 local function referred(id, bare)
-  local label = labels[id]
+  local label = labels[id] or in_report and in_report[id]
   if not label then
     complain("@" .. id, "unknown reference @%s", id)
     return ""
   end
   local number = label.kind == "eq" and "(" .. label.number .. ")" or label.number
-  return link(id, label.html or (bare and "" or nouns[label.kind][1] .. "\u{A0}") .. number)
+  return link(id, label.html or (bare and "" or nouns[label.kind][1] .. "\u{A0}") .. number
+    .. (labels[id] and "" or " of the report"))
 end
 
 -- 2. Prose: references, computed numbers, formulas --------------------------------------------------
@@ -286,6 +295,67 @@ local function part_before(heading)
   if not part then return nil end
   heading.attributes.part = nil
   return { pandoc.Div({ pandoc.Plain(part) }, pandoc.Attr("", { "part-title" })), heading }
+end
+
+-- The short version: what the chapters mark as .paper, without chunks and their tests, numbered anew ----
+
+local function is_chunk(block)
+  return block.t == "CodeBlock" and (block.identifier ~= "" or block.attributes.file)
+end
+
+local function names_tests(block)
+  local first = block.t == "Para" and block.content[1]
+  return first and first.t == "Emph" and utils.stringify(first) == "Checked by"
+end
+
+--- Whether a paragraph only leads to the chunk behind it.
+local function introduces(block, following)
+  return block.t == "Para" and following and is_chunk(following) and utils.stringify(block):match(":%s*$")
+end
+
+--- The blocks of all divisions that are for one version, in this version: each with whether it is marked.
+local function of_version(blocks, short)
+  local out = {}
+  for _, block in ipairs(blocks) do
+    local classes = block.t == "Div" and block.classes or pandoc.List()
+    local only = classes:includes("paper-only")
+    if only or classes:includes("paper") then
+      for _, inside in ipairs(short and block.content or only and {} or block.content) do
+        table.insert(out, { inside, true })
+      end
+    elseif classes:includes("report") then
+      for _, inside in ipairs(short and {} or block.content) do table.insert(out, { inside, false }) end
+    else
+      table.insert(out, { block, false })
+    end
+  end
+  return out
+end
+
+local function whole(blocks)
+  return pandoc.List(of_version(blocks, false)):map(function(pair) return pair[1] end)
+end
+
+--- Of the chapters the sections whose headings are marked, and the marked divisions of others, under
+--- their headings.
+local function shortened_text(blocks)
+  local out, above, marked = pandoc.List(), pandoc.List(), false
+  local pairs_of = of_version(blocks, true)
+  for k, pair in ipairs(pairs_of) do
+    local block, following = pair[1], pairs_of[k + 1] and pairs_of[k + 1][1]
+    if block.t == "Header" then
+      while #above > 0 and above[#above].level >= block.level do above:remove() end
+      above:insert(block)
+      marked = block.classes:includes("paper")
+      block.attributes.part = nil
+    elseif (marked or pair[2]) and not is_chunk(block) and not names_tests(block)
+        and not introduces(block, following) then
+      out:extend(above)
+      above = pandoc.List()
+      out:insert(block)
+    end
+  end
+  return out
 end
 
 -- 4. Equations: a paragraph is cut at its displayed formulas ----------------------------------------
@@ -468,9 +538,9 @@ local function figure(image)
   part("figures/" .. name .. ".gp")
   local svg, data = part("build/figures/" .. name .. ".svg"), part("build/data/" .. name .. ".csv")
   table.insert(drawn, { name = name, id = id, drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
-  local sources = string.format(' <span class="sources"><a href="#script:%s">script</a> '
+  local sources = string.format(' <span class="sources">%s '
     .. '<a href="data:application/gzip;base64,%s" download="%s.csv.gz">data</a></span>',
-    name, packed(data), name)
+    link("script:" .. name, "script"), packed(data), name)
   local text = caption("Figure", number, image.caption)
   text:insert(pandoc.RawInline("html", sources))
   return { raw('<figure id="' .. escape(id) .. '">\n<div class="drawing">'),
@@ -770,10 +840,6 @@ local function chunk_box(piece, open)
     piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
 end
 
-local function is_chunk(block)
-  return block.t == "CodeBlock" and (block.identifier ~= "" or block.attributes.file)
-end
-
 local function names_in(block)
   local names = pandoc.List()
   block:walk({ Code = function(inline) names:insert(inline.text) end })
@@ -866,10 +932,7 @@ end
 -- 8. The tests' names, quietly ----------------------------------------------------------------------
 
 local function checked_by(paragraph)
-  local first = paragraph.content[1]
-  if first and first.t == "Emph" and utils.stringify(first) == "Checked by" then
-    return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" }))
-  end
+  if names_tests(paragraph) then return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" })) end
 end
 
 -- 9. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
@@ -1007,12 +1070,12 @@ end
 local function add_back_matter(document)
   local blocks = document.blocks
   place_bibliography(blocks)
-  if #pieces > 0 then
+  if #pieces > 0 and not in_report then
     blocks:extend({ heading("Index of chunks", "index-of-chunks"), chunk_index(),
                     heading("Index of files", "index-of-files") })
     blocks:extend(file_index())
   end
-  if #drawn > 0 then
+  if #drawn > 0 and not in_report then
     blocks:insert(heading("Scripts of the figures", "scripts"))
     blocks:extend(script_listings())
   end
@@ -1043,6 +1106,12 @@ local function keep_draft(document)
   return own
 end
 
+--- Forgets all numbers, but for the links into the report.
+local function number_anew()
+  in_report, labels, counts, section, appendices = labels, {}, {}, { 0, 0, 0 }, false
+  drawn, card_rules, of_paper = {}, pandoc.List(), pandoc.List()
+end
+
 function Pandoc(document)
   for _, name in ipairs(PANDOC_STATE.input_files) do
     table.insert(chapters, { name = name, text = read(name) or "" })
@@ -1050,14 +1119,22 @@ function Pandoc(document)
   draft = document.meta.draft and utils.stringify(document.meta.draft)
   collect_chunks()
   -- First all that has a number, then all that refers to one.
-  document.blocks = document.blocks:walk({ Header = number_heading, Para = paragraph,
-                                           Table = written_table, Div = generated_table })
-  document.blocks = open_equations(document.blocks)
-  highlight_all(draft and keep_draft(document) or pieces)
+  local numbering = { Header = number_heading, Para = paragraph, Table = written_table, Div = generated_table }
+  local numbered = pandoc.Pandoc(whole(document.blocks)):walk(numbering).blocks
+  if document.meta.paper then
+    number_anew()
+    numbered = pandoc.Pandoc(shortened_text(document.blocks)):walk(numbering).blocks
+  end
+  document.blocks = open_equations(numbered)
+  if not document.meta.paper then highlight_all(draft and keep_draft(document) or pieces) end
   if not draft then find_evidence(document.blocks) end
   document.blocks = fill_equations(document.blocks)
   document = document:walk({ CodeBlock = code_block }):walk(prose)
-  if draft then place_bibliography(document.blocks) else add_back_matter(document) end
+  if draft then
+    place_bibliography(document.blocks)
+  else
+    add_back_matter(document)
+  end
   stop_on_mistakes()
   document.meta.style = raw(style .. table.concat(card_rules, "\n") .. "\n" .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })

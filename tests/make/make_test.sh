@@ -57,7 +57,7 @@ BuildsInFolderWithSpace() {
   touch "$work/now" # one time for all, that none is older than what it is made of
   find build/data build/figures -type f -exec touch -r "$work/now" {} +
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  expect_steps "$work/log" 'writing build/report.html'
+  expect_steps "$work/log" 'writing build/report.html' 'writing build/paper.html'
   [ -s build/report.html ] || fail "no report"
 }
 
@@ -76,7 +76,7 @@ ProseEditRewritesTheReportOnly() { # in the copy
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' \
-    'compiling the benchmarks' 'writing build/report.html'
+    'compiling the benchmarks' 'writing build/report.html' 'writing build/paper.html'
   [ -z "$(find src build/release build/data build/figures -newer "$work/before" \
     \( -name '*.?pp' -o -name '*.o' -o -name '*.a' -o -name thermoroll -o -path 'build/data/*' \
     -o -path 'build/figures/*' \))" ] || fail "something was compiled, computed or drawn"
@@ -97,7 +97,7 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
   in_copy reproduce
   echo '# a comment' >>figures/slip.gp
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html'
+  expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html' 'writing build/paper.html'
 }
 
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
@@ -277,6 +277,8 @@ PrintIsShort() { # in the copy
   size=$(wc -c <build/report.pdf)
   [ "$pages" -gt 50 ] && [ "$pages" -lt 200 ] || fail "$pages pages"
   [ "$size" -lt 4500000 ] || fail "$size bytes"
+  pages=$(grep -ac '/Type /Page$' build/paper.pdf)
+  [ "$pages" -ge 10 ] && [ "$pages" -le 14 ] || fail "the short version has $pages pages"
 }
 
 # readme LANGUAGE: the README's block of code in this language.

@@ -109,6 +109,24 @@ SizeIsBounded() {
   [ "$size" -lt 5500000 ] || fail "the report has $size bytes"
 }
 
+# The short version: no code, about ten figures, and each link leads into it or into the report.
+ShortVersionLeadsIntoTheReport() {
+  attributes '//@id' | sort -u >"$work/report-ids"
+  report="$PWD/build/paper.html"
+  xmllint --noout "$report"
+  attributes '//@id' | sort >"$work/ids"
+  expect_none "$(uniq -d "$work/ids")" "ids that stand twice"
+  attributes "//@*[local-name()='href'][starts-with(., '#')]" | sed 's/^#//' | sort -u >"$work/links"
+  expect_none "$(comm -13 "$work/ids" "$work/links")" "links to nothing"
+  attributes "//@*[local-name()='href'][starts-with(., 'report.html#')]" | sed 's/^[^#]*#//' | sort -u >"$work/links"
+  [ "$(wc -l <"$work/links")" -gt 10 ] || fail "hardly any link into the report"
+  expect_none "$(comm -13 "$work/report-ids" "$work/links")" "links to what the report has not"
+  expect_none "$(xpath "//*[contains(@class, 'chunk') or @class='checked']")" "chunks or tests"
+  local figures
+  figures=$(xpath "count(//*[local-name()='svg'])")
+  [ "$figures" -ge 8 ] && [ "$figures" -le 12 ] || fail "$figures figures"
+}
+
 NamedTestsExist() {
   xpath "//*[@class='checked']//*[local-name()='code']/text()" | sort -u >"$work/named"
   [ "$(wc -l <"$work/named")" -gt 10 ] || fail "hardly any test is named"

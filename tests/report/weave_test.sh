@@ -575,6 +575,57 @@ END
     fail "the page: $text"
 }
 
+# The short version has what is marked, under its headings, without chunks and what leads to them; its
+# numbers are its own, and links to the rest lead into the report.
+ShortVersion() {
+  chapter <<'END'
+# First {#sec:first}
+
+Left out. $$ a $$ {#eq:a}
+
+# Second {#sec:second part="Part II. Two"}
+
+## Inner {#sec:inner .paper}
+
+See @eq:a, @eq:b, [@eq:a; @eq:b], @sec:first and @lst:part. $$ b $$ {#eq:b}
+
+This is the chunk:
+
+``` {.cpp #part title="A part"}
+int a;
+```
+
+*Checked by* `A.B`.
+
+::: {.report}
+Report only.
+:::
+
+::: {.paper-only}
+Paper only.
+:::
+
+## Other {#sec:other}
+
+Left out as well.
+
+::: {.paper}
+In both.
+:::
+END
+  expect '1 First Left out. a (1)' 'Part II. Two 2 Second 2.1 Inner See Eq. (1), Eq. (2), Eqs. (1) and (2), Section 1 and ⟨A part 1⟩.' \
+    'Report only.' 'In both.'
+  if grep -q 'Paper only' page.html; then fail "what is for the short version is in the report"; fi
+  weave page.html one.md -M paper=yes
+  xmllint --noout page.html
+  local text
+  text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
+  text=${text%% Colophon*}
+  [ "$text" = '1 Second 1.1 Inner See Eq. (1) of the report, Eq. (1), Eq. (1) of the report and Eq. (1), Section 1 of the report and ⟨A part 1⟩. b (1) Paper only. 1.2 Other In both.' ] ||
+    fail "the page: $text"
+  expect_html 'href="report.html#eq:a"' 'href="#eq:b"' 'href="report.html#lst:part"'
+}
+
 WovenTwiceAlike() {
   draw f
   chapter <<'END'
