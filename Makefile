@@ -398,10 +398,12 @@ golden: $(data_files) $(filter-out $(drawn_from_times),$(figure_files))
 
 browser := chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
   --disable-background-networking --disable-component-update --disable-sync \
-  --no-pdf-header-footer --disable-pdf-tagging
+  --no-pdf-header-footer
 
 ## pdf: print the report to build/report.pdf, its short version to build/paper.pdf (needs chromium)
 pdf: build/report.pdf build/paper.pdf
+build/report.pdf: browser += --disable-pdf-tagging # which would make it more than twice as large
+build/paper.pdf: browser += --generate-pdf-document-outline
 build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@profile=$$(mktemp -d); trap 'rm -rf "$$profile"' EXIT; \
 	$(browser) --user-data-dir="$$profile" --print-to-pdf=$@.tmp \
