@@ -205,12 +205,96 @@ local function formula_font()
     .. 'src: url("data:font/woff2;base64,%s") format("woff2"); }\n', base64(font)) or ""
 end
 
+-- What a symbol means is shown where the pointer rests on a formula. The table of symbols says it; a symbol
+-- that stands there twice, or for one section, has more meanings than one and is left out.
+local meanings -- symbol, as `symbols_in` gives it -> meaning
+
+--- The symbols of a formula in order, each with its scripts behind it: "c_0", "T_{max}^*", "\\hat p".
+local function symbols_in(tex)
+  local found, seen = {}, {}
+  tex = tex:gsub("\\value{[^}]*}", " "):gsub("\\text{[^}]*}", " "):gsub("\\%a+{%a+ed}", " ")
+    :gsub("\\hat{(.-)}", "\\hat %1"):gsub("\\hat%s+(%a)", "\1%1"):gsub("\\mathrm{(%a+)}", "\2%1\3")
+  local at = 1
+  while at <= #tex do
+    local base, behind = tex:match("^(\2%a+\3)()", at)
+    if not base then base, behind = tex:match("^(\1?\\?%a+)()", at) end
+    if base and not base:match("^\1?\\") and not base:match("^\2") then
+      base = base:match("^\1?%a")
+      behind = at + #base
+    end
+    if base then
+      local scripts = {}
+      for _ = 1, 2 do
+        local kind, script, next_at = tex:match("^([_^])(%b{})()", behind)
+        if not kind then kind, script, next_at = tex:match("^([_^])(\\?[%w*])()", behind) end
+        if not kind then break end
+        scripts[kind], behind = script:gsub("[{}]", ""), next_at
+      end
+      local name = base .. (scripts._ and "_" .. scripts._ or "") .. (scripts["^"] and "^" .. scripts["^"] or "")
+      if not seen[name] then table.insert(found, { name = name, base = base, sub = scripts._, sup = scripts["^"] }) end
+      seen[name], at = true, behind
+    else
+      at = at + 1
+    end
+  end
+  return found
+end
+
+local function plain(markdown)
+  local text = pandoc.write(pandoc.read(markdown, "markdown"), "plain", { wrap_text = "none" })
+  return (text:gsub("%s*$", ""):gsub("%s%s+", " "):gsub("%^%(%*%)", "*"):gsub("_%((%w+)%)", "_%1"))
+end
+
+local function read_meanings()
+  meanings = {}
+  local table_text
+  for _, chapter in ipairs(chapters) do
+    if chapter.text:find("{#tbl:nomenclature}", 1, true) then table_text = chapter.text end
+  end
+  local times = {}
+  for symbols, meaning in (table_text or ""):gmatch("\n| ([^\n]-) | ([^\n]-) |") do
+    local names = {}
+    for tex in symbols:gmatch("%$([^$]+)%$") do
+      for one in (tex .. ","):gmatch("%s*(.-),") do
+        local found = symbols_in(one)
+        if #found == 1 and not one:find("[/ ]%S*$") or one:find("^\\hat %a$") then
+          table.insert(names, { name = found[1].name, tex = one })
+        end
+      end
+    end
+    local parts = {} -- a meaning for each, if there are as many
+    for part in (meaning:gsub(",? @%l+:[%w-]+", "") .. ";"):gmatch("%s*(.-);") do table.insert(parts, part) end
+    for k, item in ipairs(names) do
+      local own = #parts == #names and parts[k] or table.concat(parts, "; ")
+      times[item.name] = (times[item.name] or 0) + (meaning:find("^in @sec") and 2 or 1)
+      meanings[item.name] = #names <= 4 and times[item.name] == 1
+        and { text = plain(own), symbol = plain("$" .. item.tex .. "$") } or nil
+    end
+  end
+end
+
+--- What the symbols of a formula mean; of one that is a symbol by itself, without the symbol.
+local function title_of(tex)
+  if not meanings then read_meanings() end
+  local found, out = symbols_in(tex), {}
+  for _, symbol in ipairs(found) do
+    local meaning = meanings[symbol.name]
+      or symbol.sup and (meanings[symbol.base .. "^" .. symbol.sup] or symbol.sup == "*" and symbol.sub and meanings[symbol.base .. "_" .. symbol.sub])
+    if meaning then table.insert(out, #found == 1 and meaning.text or meaning.symbol .. " " .. meaning.text) end
+  end
+  return #out > 0 and table.concat(out, "; ") or nil
+end
+
 local function formula(math)
   local tex = math.text:gsub("\\value{([^}]*)}", function(key)
     return "{" .. value(key, "\\value{" .. key .. "}") .. "}"
   end)
   local html = mathml(tex, math.mathtype)
   if not html then complain(math.text, "this formula cannot be written as MathML: %s", tex) end
+  local title = html and title_of(math.text)
+  if title and (math.mathtype == "DisplayMath" or #symbols_in(math.text) == 1) then
+    html = string.format('<span title="%s">%s</span>', escape(title), html)
+  end
   return pandoc.RawInline("html", html or "")
 end
 
@@ -247,7 +331,7 @@ local function keep_punctuation(inlines)
   for _, inline in ipairs(inlines) do
     local before = out[#out]
     if inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
-       and before.t == "RawInline" and before.text:match("^<math") then
+       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span title")) then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
     else
       out:insert(inline)

@@ -363,6 +363,34 @@ END
   expect_error 'one.md:11: no chunk has the title The third'
 }
 
+# A formula says what its symbols mean, as the table of symbols has it; a symbol of more meanings than one,
+# or of one section, says nothing.
+SymbolsSayWhatTheyMean() {
+  chapter <<'END'
+# One {#sec:one}
+
+A $c_0$, a $\hat p$, $Q^*_1$, $n$, $z$ and $R + 1$.
+
+$$ c_0 = R\,Q^* + n + z $$ {#eq:a}
+
+| symbol | meaning |
+|:--|:--|
+| $c_0$ | border over $a$, @eq:a |
+| $Q^*$, $R$ | load; radius "R" |
+| $\hat p$ | factor |
+| $n$ | nodes |
+| $n$ | unknowns |
+| $z$ | in @sec:one, distance |
+
+: Symbols. {#tbl:nomenclature}
+END
+  weave page.html one.md
+  xmllint --noout page.html
+  expect_html '<span title="border over a"><math' '<span title="factor"><math' '<span title="load"><math' \
+    '<span title="c₀ border over a; R radius “R”; Q* load"><math display="block"'
+  [ "$(sed '/<table/,$d' page.html | grep -o '<span title=' | wc -l)" = 5 ] || fail "other titles: $(grep -o '<span title="[^"]*"' page.html)"
+}
+
 # What a cell or a title holds is read as text and formulas, never as HTML.
 CellsBringNoHtml() {
   cat >build/data/t.csv <<'END'
