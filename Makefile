@@ -134,7 +134,7 @@ else
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
-tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases no-slip
+tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
 timed_files := $(patsubst %,build/data/%.csv,times bars shares contact) build/data/speed.json
