@@ -142,7 +142,7 @@ void against_one_body(benchmark::State& state, const Solve& alone, const Solve& 
   }
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
-  state.counters["ratio"] = *middle;
+  state.SetLabel(fixed(*middle, 2) + " times one body");
 }
 
 Solve solve_of(Scene scene, const Prescribed& given) {
