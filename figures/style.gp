@@ -40,8 +40,9 @@ set bmargin at screen 53.2/height
 unset key
 
 # The symbols of the axes: the abscissa below the middle, the ordinate above its axis.
+lift = height < 380 ? 1.105 : 1.075
 axes(x, y) = sprintf("set xlabel '{/:Italic %s}' offset 0,0.9; " \
-  ."set label 100 '{/:Italic %s}' at graph 0, graph 1.075 right offset 0.8,0", x, y)
+  ."set label 100 '{/:Italic %s}' at graph 0, graph %g right offset 0.8,0", x, y, lift)
 
 # A plot's range, kept for thinning the points.
 range(x0, x1, y0, y1) = sprintf("x_min = %g; x_max = %g; y_min = %g; y_max = %g; " \

@@ -1,5 +1,6 @@
 // Tangled from paper/G-benchmarks.md; edit there.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <ctime>
@@ -142,18 +143,26 @@ void against_one_body(benchmark::State& state, const Solve& alone, const Solve& 
   }
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
-  state.counters["ratio"] = *middle;
+  state.SetLabel(fixed(*middle, 2) + " times one body");
 }
 
-Solve solve_of(Scene scene, const Prescribed& given) {
-  return [scene, given]() mutable {
-    scene.roller.heating *= 1 + 1e-14;
-    benchmark::DoNotOptimize(solve_coupled(scene, sign, 1e-6, given));
+using Three = std::array<Prescribed, 3>;
+
+Three three(Quantity quantity, double low, double middle, double high) {
+  return {{{quantity, low}, {quantity, middle}, {quantity, high}}};
+}
+
+Solve solve_of(Scene scene, const Three& all) {
+  return [scene, all]() mutable {
+    for (const Prescribed& given : all) {
+      scene.roller.heating *= 1 + 1e-14;
+      benchmark::DoNotOptimize(solve_coupled(scene, sign, 1e-6, given));
+    }
   };
 }
 
 void name_extension(const std::string& name, const Scene& scene, const Solve& extended,
-                    const Prescribed& given) {
+                    const Three& given) {
   const Scene alone{scene.friction, scene.peclet, scene.heating};
   const std::string groups = "/Pe:" + shortest(scene.peclet) + "/H:" + shortest(scene.heating);
   benchmark::RegisterBenchmark((name + groups).c_str(), against_one_body, solve_of(alone, given),
@@ -162,9 +171,9 @@ void name_extension(const std::string& name, const Scene& scene, const Solve& ex
 }
 
 void name_two_bodies(const Scene& alone) {
-  const Prescribed border{Quantity::stick_slip_border, -0.2};
+  const Three borders = three(Quantity::stick_slip_border, -0.6, -0.1, 0.4);
   const auto name = [&](const char* what, const Scene& scene) {
-    name_extension(what, scene, solve_of(scene, border), border);
+    name_extension(what, scene, solve_of(scene, borders), borders);
   };
   Scene scene = alone;
   scene.roller = {1, alone.heating};
@@ -182,15 +191,17 @@ void name_two_bodies(const Scene& alone) {
 void name_friction_law(const Scene& alone) {
   Scene scene = alone;
   scene.law = linear_friction({scene.friction / std::sqrt(scene.peclet)});
-  const Prescribed pulls{Quantity::traction, 0.3};
+  const Three pulls = three(Quantity::traction, 0.1, 0.2, 0.3);
   for (const auto& [what, given] :
-       {std::pair{"friction_law/border", Prescribed{Quantity::stick_slip_border, -0.2}},
-        {"friction_law/creep", {Quantity::creep, 0.2}},
+       {std::pair{"friction_law/border", three(Quantity::stick_slip_border, -0.6, -0.1, 0.4)},
+        {"friction_law/creep", three(Quantity::creep, 0.05, 0.1, 0.2)},
         {"friction_law/traction", pulls}})
     name_extension(what, scene, solve_of(scene, given), given);
   const Solve curve = [scene] {
-    const CreepLaw law = creep_law(scene, sign);
-    for (int i = 1; i <= 100; ++i) benchmark::DoNotOptimize(evaluate(law, 0.01 * i));
+    for (int times = 0; times < 3; ++times) {
+      const CreepLaw law = creep_law(scene, sign);
+      for (int i = 1; i <= 100; ++i) benchmark::DoNotOptimize(evaluate(law, 0.01 * i));
+    }
   };
   name_extension("friction_law/curve:100", scene, curve, pulls);
 }

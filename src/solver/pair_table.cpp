@@ -1,4 +1,4 @@
-// Tangled from paper/23-unlike-bodies.md; edit there.
+// Tangled from paper/23-unlike-bodies.md, paper/E-fast-kernels.md; edit there.
 #include "solver/pair_table.hpp"
 
 #include <algorithm>
