@@ -2,14 +2,14 @@
 name = 'brief'
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
-eval range(0, 2, 0, 1.05)
-set xlabel '{/:Italic ξ*} over that of full slip' offset 0,0.9
+eval range(0, 2, 0, 1.12)
+set xlabel '{/:Italic ξ*} over that of full slip' offset 0,1.1
 set label 100 '{/:Italic Q*}/{/:Italic f}' at graph 0, graph 1.075 right offset 0.8,0
 set xtics 0.5
 set ytics 0.2
-set label "Carter; with heat's distortion" at 1.98, 0.965 right
-set label 'two bodies of steel' at 1.98, 0.86 right
-set label 'one body takes all heat' at 1.98, 0.66 right
+set label "Carter; with heat's distortion" at 1.98, 1.05 right
+set label 'two bodies of steel' at 1.98, 0.94 right
+set label 'one body takes all heat' at 1.98, 0.67 right
 set label 'friction falls with temperature,' at 0.62, 0.3
 set label 'none left at 1600 °C' at 0.62, 0.225
 of(name) = strcol('curve') eq name ? column('traction') : NaN
