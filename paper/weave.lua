@@ -394,7 +394,7 @@ end
 
 --- Whether a paragraph only leads to the chunk behind it.
 local function introduces(block, following)
-  return block.t == "Para" and following and is_chunk(following) and utils.stringify(block):match(":%s*$")
+  return block.t == "Para" and following and is_chunk(following) and utils.stringify(block):match("[:,]%s*$")
 end
 
 --- The blocks of all divisions that are for one version, in this version: each with whether it is marked.
