@@ -398,19 +398,19 @@ local function introduces(block, following)
 end
 
 --- The blocks of all divisions that are for one version, in this version: each with whether it is marked.
+--- A division that has another class besides stays, for the style sheet.
 local function of_version(blocks, short)
   local out = {}
+  local own = { paper = true, report = true, ["paper-only"] = true }
   for _, block in ipairs(blocks) do
     local classes = block.t == "Div" and block.classes or pandoc.List()
-    local only = classes:includes("paper-only")
-    if only or classes:includes("paper") then
-      for _, inside in ipairs(short and block.content or only and {} or block.content) do
-        table.insert(out, { inside, true })
-      end
-    elseif classes:includes("report") then
-      for _, inside in ipairs(short and {} or block.content) do table.insert(out, { inside, false }) end
-    else
+    local marked = classes:includes("paper") or classes:includes("paper-only")
+    local other = classes:filter(function(class) return not own[class] end)
+    if not marked and not classes:includes("report") then
       table.insert(out, { block, false })
+    elseif not classes:includes(short and "report" or "paper-only") then
+      local inside = #other > 0 and { pandoc.Div(block.content, pandoc.Attr(block.identifier, other)) } or block.content
+      for _, part in ipairs(inside) do table.insert(out, { part, marked }) end
     end
   end
   return out
