@@ -394,23 +394,23 @@ end
 
 --- Whether a paragraph only leads to the chunk behind it.
 local function introduces(block, following)
-  return block.t == "Para" and following and is_chunk(following) and utils.stringify(block):match(":%s*$")
+  return block.t == "Para" and following and is_chunk(following) and utils.stringify(block):match("[:,]%s*$")
 end
 
 --- The blocks of all divisions that are for one version, in this version: each with whether it is marked.
+--- A division that has another class besides stays, for the style sheet.
 local function of_version(blocks, short)
   local out = {}
+  local own = { paper = true, report = true, ["paper-only"] = true }
   for _, block in ipairs(blocks) do
     local classes = block.t == "Div" and block.classes or pandoc.List()
-    local only = classes:includes("paper-only")
-    if only or classes:includes("paper") then
-      for _, inside in ipairs(short and block.content or only and {} or block.content) do
-        table.insert(out, { inside, true })
-      end
-    elseif classes:includes("report") then
-      for _, inside in ipairs(short and {} or block.content) do table.insert(out, { inside, false }) end
-    else
+    local marked = classes:includes("paper") or classes:includes("paper-only")
+    local other = classes:filter(function(class) return not own[class] end)
+    if not marked and not classes:includes("report") then
       table.insert(out, { block, false })
+    elseif not classes:includes(short and "report" or "paper-only") then
+      local inside = #other > 0 and { pandoc.Div(block.content, pandoc.Attr(block.identifier, other)) } or block.content
+      for _, part in ipairs(inside) do table.insert(out, { part, marked }) end
     end
   end
   return out
@@ -467,12 +467,12 @@ local function take_label(inlines)
   return nil, {}, inlines
 end
 
---- The formulas that stand beside each other in a displayed one, apart by \qquad: lines may break there.
+--- The formulas that stand beside each other in a displayed one, apart by \quad or \qquad: lines may break there.
 local function side_by_side(tex)
   local parts, from, depth = pandoc.List(), 1, 0
   local deeper = { ["{"] = 1, ["}"] = -1, ["\\begin"] = 1, ["\\end"] = -1, ["\\left"] = 1, ["\\right"] = -1 }
   for at, token, behind in tex:gmatch("()([\\{}]%a*)()") do
-    if token == "\\qquad" and depth == 0 then
+    if (token == "\\qquad" or token == "\\quad") and depth == 0 then
       parts:insert(tex:sub(from, at - 1))
       from = behind
     end
@@ -548,18 +548,28 @@ local function caption(noun, number, inlines)
   return pandoc.List({ pandoc.Strong(noun .. " " .. number .. "."), pandoc.Space() }) .. inlines
 end
 
---- A path of lines by the steps from point to point, in hundredths as before, which are shorter.
+--- A path of lines by the steps from point to point, in hundredths as before, which are shorter. Between
+--- numbers stands what keeps them apart: nothing before a sign, or before a second point.
 local function relative(path)
-  local function brief(hundredths)
-    return (string.format("%.2f", hundredths / 100):gsub("%.?0+$", ""):gsub("^(-?)0%.", "%1."))
+  local out, last = {}, ""
+  local function add(hundredths)
+    local number = string.format("%.2f", hundredths / 100):gsub("%.?0+$", ""):gsub("^(-?)0%.", "%1.")
+    local apart = last == "" or number:find("^-") or number:find("^%.") and last:find(".", 1, true)
+    table.insert(out, (apart and "" or " ") .. number)
+    last = number
   end
-  local steps, x, y = {}, 0, 0
+  local x, y = 0, 0
   for command, to_x, to_y in path:gmatch("([ML]?)%s*(-?[%d%.]+),(-?[%d%.]+)") do
     to_x, to_y = math.floor(100 * to_x + 0.5), math.floor(100 * to_y + 0.5)
-    table.insert(steps, (command == "M" and "m" or "") .. brief(to_x - x) .. "," .. brief(to_y - y))
+    if command == "M" then
+      table.insert(out, "m")
+      last = ""
+    end
+    add(to_x - x)
+    add(to_y - y)
     x, y = to_x, to_y
   end
-  return table.concat(steps, " ")
+  return table.concat(out)
 end
 
 --- The drawing without marks that it does not use and without spaces between its parts, its paths by

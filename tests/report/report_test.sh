@@ -103,6 +103,14 @@ FontHasEveryCharacter() {
   [ "$(wc -c <build/math.woff2)" -lt 185000 ] || fail "the font takes more than 250 kB of the page"
 }
 
+# Formulas say what their symbols mean, and take little room for it.
+SymbolsSayWhatTheyMean() {
+  attributes "//*[local-name()='span'][*[local-name()='math']]/@title" >"$work/titles"
+  [ "$(wc -l <"$work/titles")" -gt 500 ] || fail "hardly any formula says what its symbols mean"
+  [ "$(wc -c <"$work/titles")" -lt 150000 ] || fail "the meanings take $(wc -c <"$work/titles") bytes"
+  grep -q 'load ratio' "$work/titles" || fail "nothing says what the load ratio is"
+}
+
 SizeIsBounded() {
   local size
   size=$(wc -c <"$report")

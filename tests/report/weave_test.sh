@@ -629,7 +629,7 @@ int a;
 Report only.
 :::
 
-::: {.paper-only}
+::: {.paper-only .brief}
 Paper only.
 :::
 
@@ -651,7 +651,7 @@ END
   text=${text%% Colophon*}
   [ "$text" = '1 Second 1.1 Inner See Eq. (1) of the report, Eq. (1), Eq. (1) of the report and Eq. (1), Section 1 of the report and ⟨A part 1⟩. b (1) Paper only. 1.2 Other In both.' ] ||
     fail "the page: $text"
-  expect_html 'href="report.html#eq:a"' 'href="#eq:b"' 'href="report.html#lst:part"'
+  expect_html '<div class="brief">' 'href="report.html#eq:a"' 'href="#eq:b"' 'href="report.html#lst:part"'
 }
 
 WovenTwiceAlike() {
