@@ -47,7 +47,10 @@ struct OnCurve {
 
 using Points = std::vector<OnCurve>;
 
-bool is_lower(const OnCurve& a, const OnCurve& b) { return a.traction() < b.traction(); }
+/// By more than rounding, as the traction of cold friction is one number in full slip.
+bool is_lower(const OnCurve& a, const OnCurve& b) {
+  return a.traction() < (1 - 1e-9) * b.traction();
+}
 
 struct Walk {
   CreepCurve curve;
@@ -107,7 +110,7 @@ LocalCurve local_curve(Points points, double middle, bool sticks) {
   std::sort(points.begin(), points.end(), [&](const OnCurve& a, const OnCurve& b) {
     return std::abs(a.rho - middle) < std::abs(b.rho - middle);
   });
-  const auto size = static_cast<Index>(std::min<std::size_t>(points.size(), 5));
+  const auto size = static_cast<Index>(std::min<std::size_t>(points.size(), 7));
   const double reach = std::abs(points[static_cast<std::size_t>(size - 1)].rho - middle);
   MatrixXd places = MatrixXd::Ones(size, size), values(size, Results().size());
   for (Index i = 0; i < size; ++i) {
@@ -129,63 +132,82 @@ double place_of(const LocalCurve& local, int order, double value, double low, do
   return low;
 }
 
-/// The curve about its highest point, in its middle, which is put among the points; none if that
-/// is at an end.
-std::optional<LocalCurve> about_the_highest(Walk& x) {
+/// The curve about its highest point, where that is, and whether a stick zone is left there.
+struct Highest {
+  LocalCurve local;
+  double rho;
+  bool sticks;
+};
+
+/// None if it is at an end.
+std::optional<Highest> highest_of(Walk& x) {
   for (int k = 0;; ++k) {
     const auto best = std::max_element(x.points.begin(), x.points.end(), is_lower);
     if (best == x.points.begin() || best + 1 == x.points.end()) return std::nullopt;
-    const double here = best->rho;
-    bool sticks = here <= 1;
-    LocalCurve local = local_curve(x.points, here, sticks);
-    if (here == 1 && derivative(local, 1, 1)(traction) > 0) {
-      sticks = false;
-      local = local_curve(x.points, here, sticks);
-    }
-    const double low = (best - 1)->rho, high = (best + 1)->rho;
-    const double rho = place_of(local, 1, 0, sticks ? low : std::max(low, 1.0),
-                                sticks ? std::min(high, 1.0) : high);
-    if (k == 8 || std::abs(rho - here) < 1e-3) return local;
-    const auto index = static_cast<std::size_t>(best - x.points.begin()) + (rho > here ? 1 : 0);
-    if (!add(x, index, rho, best->solution)) return local;
+    const double here = best->rho, low = (best - 1)->rho, high = (best + 1)->rho;
+    Highest top{local_curve(x.points, here, here <= 1), here, here <= 1};
+    if (here == 1 && derivative(top.local, 1, 1)(traction) > 1e-4)
+      top = {local_curve(x.points, here, false), here, false};
+    top.rho = top.sticks ? place_of(top.local, 1, 0, low, std::min(high, 1.0))
+                         : place_of(top.local, 1, 0, std::max(low, 1.0), high);
+    const auto index = static_cast<std::size_t>(best - x.points.begin()) + (top.rho > here ? 1 : 0);
+    if (k == 8 || std::abs(top.rho - here) < 0.01 || !add(x, index, top.rho, best->solution))
+      return top;
   }
 }
 
-/// The coarse curve and a straight line, by two solutions on the grid of the curve, about a place;
-/// the second is left in level. None where there is no solution.
-std::optional<LocalCurve> corrected(CreepCurve& curve, LocalCurve local, double place,
-                                    GridSolution& level) {
-  constexpr double apart = 0.005;
-  const GridSolution left = solution_on(curve, place - apart, level);
-  level = solution_on(curve, place + apart, left);
-  if (left.newton_steps == 0 || level.newton_steps == 0) return std::nullopt;
-  const Results less = left.value - derivative(local, 0, place - apart),
-                more = level.value - derivative(local, 0, place + apart);
-  const Results slope = (more - less) / (2 * apart);
-  local.powers.row(0) += ((less + more) / 2 + slope * (local.middle - place)).matrix();
+/// The coarse curve with the height and the slope of the finer one, by two points.
+LocalCurve corrected(LocalCurve local, const OnCurve& left, const OnCurve& right) {
+  const auto off = [&](const OnCurve& x) -> Results {
+    return x.solution.value - derivative(local, 0, x.rho);
+  };
+  const Results less = off(left), slope = (off(right) - less) / (right.rho - left.rho);
+  local.powers.row(0) += (less + slope * (local.middle - left.rho)).matrix();
   local.powers.row(1) += (slope * local.reach).matrix();
   return local;
 }
 
-TractionLimit traction_limit(CreepCurve curve, double tolerance, const LocalCurve& coarse,
-                             GridSolution level) {
-  const double here = coarse.middle;
-  const double place = here <= 1 ? std::min(here, 0.99) : std::max(here, 1.01);
-  const auto highest = [&](const LocalCurve& local) {
-    return derivative(local, 0,
-                      place_of(local, 1, 0, here - local.reach / 2, here + local.reach / 2));
-  };
-  Results last = highest(coarse);
+/// Points of the curve about its maximum, two or seven; fewer where there are no solutions.
+Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution near) {
+  const double rho_1 = std::abs(top.rho - 1), ends = std::min(top.rho, 2 - top.rho);
+  const double reach = std::min({alone ? 0.03 : 1e-3, std::max(rho_1, 1e-4) / 2, ends / 4});
+  const double middle = top.sticks ? std::min(top.rho, 1 - reach) : std::max(top.rho, 1 + reach);
+  const int places = alone ? 7 : 2;
+  Points points;
+  for (int i = 0; i < places; ++i) {
+    const double rho = middle + reach * (2.0 * i / (places - 1) - 1);
+    near = solution_on(curve, top.sticks ? std::min(rho, 1 - 1e-9) : std::max(rho, 1.0), near);
+    if (near.newton_steps > 0) points.push_back({rho, near});
+  }
+  return points;
+}
+
+TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
+  Results last = derivative(top.local, 0, top.rho);
+  const LocalCurve coarse = top.local;
   for (int n = std::max(24, unknowns_after(curve.n)); n > curve.n; n = unknowns_after(n)) {
     curve.n = n;
-    const GridSolution before = level;
-    const std::optional<LocalCurve> finer = corrected(curve, coarse, place, level);
-    if (!finer) continue;
-    const Results now = highest(*finer);
-    const Results moved = part_with_law(before.h, level.h) * (now - last).abs();
-    if (std::max(moved(traction), moved(creep) / now(creep)) < tolerance)
-      return {now(traction), now(creep), moved(traction), moved(creep)};
+    const bool alone = n >= 60 || tolerance < 1e-7;
+    const Points points = around(curve, top, alone, level);
+    if (points.size() < (alone ? 7 : 2)) continue;
+    const double before = top.rho;
+    top.local = alone ? local_curve(points, before, top.sticks)
+                      : corrected(coarse, points[0], points[1]);
+    const double room = std::min({0.05, before / 2, (2 - before) / 2});
+    top.rho = place_of(top.local, 1, 0, std::max(before - room, top.sticks ? 0 : 1.0),
+                       std::min(before + room, top.sticks ? 1 : 2.0));
+    const Results now = derivative(top.local, 0, top.rho);
+    const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
+    const double part = std::max(0.03, part_with_law(level.h, points[0].solution.h));
+    const Results error =
+        part * (now - last).abs() + bend * derivative(top.local, 1, top.rho).abs();
+    const bool smooth = alone || !decays_slowly(level.h, points[0].solution.h);
+    const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
+    if (smooth && std::max(error(traction), rest) < tolerance)
+      return {now(traction), now(creep), std::max(error(traction), tolerance / 10),
+              std::max(error(creep), tolerance / 10 * now(creep))};
     last = now;
+    level = points[0].solution;
   }
   throw NotResolved("coupled: the largest traction is not resolved to " + shortest(tolerance), {});
 }
@@ -214,7 +236,7 @@ Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
     const double low = x.points[i - 1].rho, high = x.points[i].rho;
     const LocalCurve local = local_curve(x.points, (low + high) / 2, high <= 1);
     const double rho = place_of(local, 0, asked, low, high);
-    if (k > 0 && std::abs(rho - found.local.middle) < 1e-4) break;
+    if (k > 0 && std::abs(rho - found.local.middle) < 5e-3) break;
     if (!add(x, i, rho, x.points[rho - low < high - rho ? i - 1 : i].solution)) break;
     found = {x.points[i].solution, local_curve(x.points, rho, high <= 1)};
   }
@@ -269,10 +291,10 @@ void refuse_beyond(const Points& points, const std::optional<TractionLimit>& lim
 
 CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
                                 double asked, Branch branch) {
-  Walk x = walk({scene, formulation, 10}, asked, branch);
-  while (!x.whole && x.curve.n < 40) x = walk({scene, formulation, 2 * x.curve.n}, asked, branch);
+  Walk x = walk({scene, formulation, 12}, asked, branch);
+  while (!x.whole && x.curve.n < 48) x = walk({scene, formulation, 2 * x.curve.n}, asked, branch);
   if (x.points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
-  const std::optional<LocalCurve> top = about_the_highest(x);
+  const std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
   if (top) limit = traction_limit(x.curve, tolerance, *top, highest.solution);

@@ -130,7 +130,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then), edged = level.crossing && flat;
-  const bool bent = (scene.law && n > 40 && flat) || edged;
+  const bool bent = (scene.law && decays_slowly(last.h, level.h)) || edged;
   const double remembered = edged ? 0.00025 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
   double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()

@@ -138,7 +138,12 @@ int unknowns_after(int n) {
 }
 
 double part_with_law(const VectorXd& before, const VectorXd& now) {
-  return std::clamp(tail(now) / tail(before), 0.01, 0.2);
+  return std::clamp(tail(now) / tail(before), 0.02, 0.2);
+}
+
+bool decays_slowly(const VectorXd& before, const VectorXd& now) {
+  const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
+  return tail(now) > std::max(1e-6, std::pow(finer, 4) * tail(before));
 }
 
 }  // namespace thermoroll
