@@ -193,12 +193,12 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const double before = top.rho;
     top.local = alone ? local_curve(points, before, top.sticks)
                       : corrected(coarse, points[0], points[1]);
-    const double room = std::min({0.05, before / 2, (2 - before) / 2});
+    const double room = alone ? 1.5 * top.local.reach : std::min(before, 2 - before) / 20;
     top.rho = place_of(top.local, 1, 0, std::max(before - room, top.sticks ? 0 : 1.0),
                        std::min(before + room, top.sticks ? 1 : 2.0));
     const Results now = derivative(top.local, 0, top.rho);
     const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
-    const double part = std::max(0.03, part_with_law(level.h, points[0].solution.h));
+    const double part = part_with_law(level.h, points[0].solution.h);
     const Results error =
         part * (now - last).abs() + bend * derivative(top.local, 1, top.rho).abs();
     const bool smooth = alone || !decays_slowly(level.h, points[0].solution.h);
@@ -244,10 +244,9 @@ Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
 }
 
 /// Solve with n unknowns where the derivative says, moving on until less than share of each result
-/// is left to second order; slope, the derivative by the traction, is improved. The curvature is
-/// that of the traction by the parameter, over the square of its slope.
+/// is left to be carried over; slope, the derivative by the traction, is improved.
 GridSolution settle(const CreepCurve& curve, const Prescribed& given, const GridSolution& from,
-                    Results& slope, double curvature, double share) {
+                    Results& slope, double share) {
   const auto& [scene, formulation, n, unused] = curve;
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
@@ -259,10 +258,10 @@ GridSolution settle(const CreepCurve& curve, const Prescribed& given, const Grid
                 : solve_on_grid(scene, formulation, n,
                                 moved_by(last.at, slope(stick_slip_border) * missing), last);
     if (level.newton_steps == 0) break;
-    const double moved = level.value(traction) - last.value(traction), rest = residual(level, given);
+    const double moved = level.value(traction) - last.value(traction);
     if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;
-    const Results left = slope * curvature * rest * rest / scale_of(level.value);
-    if (left.head(compared).abs().maxCoeff() < share) break;
+    const Results carried = slope * residual(level, given) / scale_of(level.value);
+    if (0.02 * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
@@ -303,14 +302,11 @@ CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, dou
       about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
   const Prescribed given{traction, asked};
   const Results by_rho = derivative(local, 1, local.middle);
-  const double per = by_rho(traction);
-  const double curvature = std::abs(derivative(local, 2, local.middle)(traction)) / (2 * per * per);
-  Results slope = by_rho / per;
-  CoupledSolution found = refine(scene, formulation, tolerance, given, level, slope,
-                                 [&](int n, const GridSolution& last) {
-                                   return settle({scene, formulation, n}, given, last, slope,
-                                                 curvature, tolerance / 10);
-                                 });
+  Results slope = by_rho / by_rho(traction);
+  CoupledSolution found = refine(
+      scene, formulation, tolerance, given, level, slope, [&](int n, const GridSolution& last) {
+        return settle({scene, formulation, n}, given, last, slope, tolerance / 10);
+      });
   found.limit = limit;
   found.branch = branch;
   return found;

@@ -138,7 +138,8 @@ int unknowns_after(int n) {
 }
 
 double part_with_law(const VectorXd& before, const VectorXd& now) {
-  return std::clamp(tail(now) / tail(before), 0.02, 0.2);
+  const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
+  return std::clamp(tail(now) / tail(before), 0.5 * std::pow(finer, 3), 0.2);
 }
 
 bool decays_slowly(const VectorXd& before, const VectorXd& now) {
