@@ -32,8 +32,7 @@ GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from
   const auto& [scene, formulation, n, known] = curve;
   if (rho < 1)
     return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho}, from);
-  if (known == 0)
-    curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
+  if (known == 0) curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
   const bool slips = from.at.slip == 2;
   return solve_slipping_grid(scene, formulation, n, known / (2 - rho),
                              slips ? from : GridSolution{});
@@ -54,7 +53,7 @@ bool is_lower(const OnCurve& a, const OnCurve& b) {
 
 struct Walk {
   CreepCurve curve;
-  Points points{};   // by rho
+  Points points{};    // by rho
   bool whole = true;  // all points were a contact
 };
 
@@ -72,8 +71,8 @@ Walk walk(const CreepCurve& curve, double asked, Branch branch) {
   const double share = std::min(asked / curve.scene.friction, 0.8);
   const double first = std::sqrt(share / (1 + std::sqrt(1 - share)));  // slip is 2 first^2
   const auto falls = [&](std::size_t i) { return is_lower(x.points[i], x.points[i - 1]); };
-  for (const double place : {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95,
-                             1.99, 1.999}) {
+  for (const double place :
+       {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
     const std::size_t size = x.points.size();
     const double rho = place < 1 ? first + (1 - first) * place : place;
     if (!add(x, size, rho, size > 0 ? x.points.back().solution : GridSolution{}) || size == 0)
@@ -191,8 +190,8 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Points points = around(curve, top, alone, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    top.local = alone ? local_curve(points, before, top.sticks)
-                      : corrected(coarse, points[0], points[1]);
+    top.local =
+        alone ? local_curve(points, before, top.sticks) : corrected(coarse, points[0], points[1]);
     const double room = alone ? 1.5 * top.local.reach : std::min(before, 2 - before) / 20;
     top.rho = place_of(top.local, 1, 0, std::max(before - room, top.sticks ? 0 : 1.0),
                        std::min(before + room, top.sticks ? 1 : 2.0));

@@ -83,7 +83,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
-  for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
+  const int first = scene.law ? 12 : (easy ? 6 : 10);
+  for (int n = first; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
        n *= 2) {
     Results better = slope;
     tried = find_border(scene, formulation, n, given, level, better);

@@ -270,8 +270,8 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   x.tolerance(1) *= unit.value(Quantity::max_temperature);
   x.half.reason = end.reason;
   const LawGrid* grid = law_grids(scene).data();
-  const bool whole = add_pieces(x, grid, 0, full, {}) &&
-                     (end.w <= 1 || add_pieces(x, grid, 1, end.w, unit));
+  const bool whole =
+      add_pieces(x, grid, 0, full, {}) && (end.w <= 1 || add_pieces(x, grid, 1, end.w, unit));
   if (!whole) x.half.reason = not_resolved;
   if (x.half.pieces.empty())
     throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere", {});

@@ -139,7 +139,9 @@ int unknowns_after(int n) {
 
 double part_with_law(const VectorXd& before, const VectorXd& now) {
   const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
-  return std::clamp(tail(now) / tail(before), 0.5 * std::pow(finer, 3), 0.2);
+  const double least = std::pow(finer, 3), most = now.size() > 200 ? 0.05 : 0.2;
+  const double shrunk = 2 * tail(now) / (tail(before) + 1e-9);
+  return std::min(std::max(shrunk, least), std::max(most, least));
 }
 
 bool decays_slowly(const VectorXd& before, const VectorXd& now) {
