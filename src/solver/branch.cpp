@@ -32,8 +32,7 @@ GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from
   const auto& [scene, formulation, n, known] = curve;
   if (rho < 1)
     return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho}, from);
-  if (known == 0)
-    curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
+  if (known == 0) curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
   const bool slips = from.at.slip == 2;
   return solve_slipping_grid(scene, formulation, n, known / (2 - rho),
                              slips ? from : GridSolution{});
@@ -47,11 +46,14 @@ struct OnCurve {
 
 using Points = std::vector<OnCurve>;
 
-bool is_lower(const OnCurve& a, const OnCurve& b) { return a.traction() < b.traction(); }
+/// By more than rounding, as the traction of cold friction is one number in full slip.
+bool is_lower(const OnCurve& a, const OnCurve& b) {
+  return a.traction() < (1 - 1e-9) * b.traction();
+}
 
 struct Walk {
   CreepCurve curve;
-  Points points{};   // by rho
+  Points points{};    // by rho
   bool whole = true;  // all points were a contact
 };
 
@@ -69,8 +71,8 @@ Walk walk(const CreepCurve& curve, double asked, Branch branch) {
   const double share = std::min(asked / curve.scene.friction, 0.8);
   const double first = std::sqrt(share / (1 + std::sqrt(1 - share)));  // slip is 2 first^2
   const auto falls = [&](std::size_t i) { return is_lower(x.points[i], x.points[i - 1]); };
-  for (const double place : {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95,
-                             1.99, 1.999}) {
+  for (const double place :
+       {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
     const std::size_t size = x.points.size();
     const double rho = place < 1 ? first + (1 - first) * place : place;
     if (!add(x, size, rho, size > 0 ? x.points.back().solution : GridSolution{}) || size == 0)
@@ -107,7 +109,7 @@ LocalCurve local_curve(Points points, double middle, bool sticks) {
   std::sort(points.begin(), points.end(), [&](const OnCurve& a, const OnCurve& b) {
     return std::abs(a.rho - middle) < std::abs(b.rho - middle);
   });
-  const auto size = static_cast<Index>(std::min<std::size_t>(points.size(), 5));
+  const auto size = static_cast<Index>(std::min<std::size_t>(points.size(), 7));
   const double reach = std::abs(points[static_cast<std::size_t>(size - 1)].rho - middle);
   MatrixXd places = MatrixXd::Ones(size, size), values(size, Results().size());
   for (Index i = 0; i < size; ++i) {
@@ -129,63 +131,82 @@ double place_of(const LocalCurve& local, int order, double value, double low, do
   return low;
 }
 
-/// The curve about its highest point, in its middle, which is put among the points; none if that
-/// is at an end.
-std::optional<LocalCurve> about_the_highest(Walk& x) {
+/// The curve about its highest point, where that is, and whether a stick zone is left there.
+struct Highest {
+  LocalCurve local;
+  double rho;
+  bool sticks;
+};
+
+/// None if it is at an end.
+std::optional<Highest> highest_of(Walk& x) {
   for (int k = 0;; ++k) {
     const auto best = std::max_element(x.points.begin(), x.points.end(), is_lower);
     if (best == x.points.begin() || best + 1 == x.points.end()) return std::nullopt;
-    const double here = best->rho;
-    bool sticks = here <= 1;
-    LocalCurve local = local_curve(x.points, here, sticks);
-    if (here == 1 && derivative(local, 1, 1)(traction) > 0) {
-      sticks = false;
-      local = local_curve(x.points, here, sticks);
-    }
-    const double low = (best - 1)->rho, high = (best + 1)->rho;
-    const double rho = place_of(local, 1, 0, sticks ? low : std::max(low, 1.0),
-                                sticks ? std::min(high, 1.0) : high);
-    if (k == 8 || std::abs(rho - here) < 1e-3) return local;
-    const auto index = static_cast<std::size_t>(best - x.points.begin()) + (rho > here ? 1 : 0);
-    if (!add(x, index, rho, best->solution)) return local;
+    const double here = best->rho, low = (best - 1)->rho, high = (best + 1)->rho;
+    Highest top{local_curve(x.points, here, here <= 1), here, here <= 1};
+    if (here == 1 && derivative(top.local, 1, 1)(traction) > 1e-4)
+      top = {local_curve(x.points, here, false), here, false};
+    top.rho = top.sticks ? place_of(top.local, 1, 0, low, std::min(high, 1.0))
+                         : place_of(top.local, 1, 0, std::max(low, 1.0), high);
+    const auto index = static_cast<std::size_t>(best - x.points.begin()) + (top.rho > here ? 1 : 0);
+    if (k == 8 || std::abs(top.rho - here) < 0.01 || !add(x, index, top.rho, best->solution))
+      return top;
   }
 }
 
-/// The coarse curve and a straight line, by two solutions on the grid of the curve, about a place;
-/// the second is left in level. None where there is no solution.
-std::optional<LocalCurve> corrected(CreepCurve& curve, LocalCurve local, double place,
-                                    GridSolution& level) {
-  constexpr double apart = 0.005;
-  const GridSolution left = solution_on(curve, place - apart, level);
-  level = solution_on(curve, place + apart, left);
-  if (left.newton_steps == 0 || level.newton_steps == 0) return std::nullopt;
-  const Results less = left.value - derivative(local, 0, place - apart),
-                more = level.value - derivative(local, 0, place + apart);
-  const Results slope = (more - less) / (2 * apart);
-  local.powers.row(0) += ((less + more) / 2 + slope * (local.middle - place)).matrix();
+/// The coarse curve with the height and the slope of the finer one, by two points.
+LocalCurve corrected(LocalCurve local, const OnCurve& left, const OnCurve& right) {
+  const auto off = [&](const OnCurve& x) -> Results {
+    return x.solution.value - derivative(local, 0, x.rho);
+  };
+  const Results less = off(left), slope = (off(right) - less) / (right.rho - left.rho);
+  local.powers.row(0) += (less + slope * (local.middle - left.rho)).matrix();
   local.powers.row(1) += (slope * local.reach).matrix();
   return local;
 }
 
-TractionLimit traction_limit(CreepCurve curve, double tolerance, const LocalCurve& coarse,
-                             GridSolution level) {
-  const double here = coarse.middle;
-  const double place = here <= 1 ? std::min(here, 0.99) : std::max(here, 1.01);
-  const auto highest = [&](const LocalCurve& local) {
-    return derivative(local, 0,
-                      place_of(local, 1, 0, here - local.reach / 2, here + local.reach / 2));
-  };
-  Results last = highest(coarse);
+/// Points of the curve about its maximum, two or seven; fewer where there are no solutions.
+Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution near) {
+  const double rho_1 = std::abs(top.rho - 1), ends = std::min(top.rho, 2 - top.rho);
+  const double reach = std::min({alone ? 0.03 : 1e-3, std::max(rho_1, 1e-4) / 2, ends / 4});
+  const double middle = top.sticks ? std::min(top.rho, 1 - reach) : std::max(top.rho, 1 + reach);
+  const int places = alone ? 7 : 2;
+  Points points;
+  for (int i = 0; i < places; ++i) {
+    const double rho = middle + reach * (2.0 * i / (places - 1) - 1);
+    near = solution_on(curve, top.sticks ? std::min(rho, 1 - 1e-9) : std::max(rho, 1.0), near);
+    if (near.newton_steps > 0) points.push_back({rho, near});
+  }
+  return points;
+}
+
+TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
+  Results last = derivative(top.local, 0, top.rho);
+  const LocalCurve coarse = top.local;
   for (int n = std::max(24, unknowns_after(curve.n)); n > curve.n; n = unknowns_after(n)) {
     curve.n = n;
-    const GridSolution before = level;
-    const std::optional<LocalCurve> finer = corrected(curve, coarse, place, level);
-    if (!finer) continue;
-    const Results now = highest(*finer);
-    const Results moved = part_with_law(before.h, level.h) * (now - last).abs();
-    if (std::max(moved(traction), moved(creep) / now(creep)) < tolerance)
-      return {now(traction), now(creep), moved(traction), moved(creep)};
+    const bool alone = n >= 60 || tolerance < 1e-7;
+    const Points points = around(curve, top, alone, level);
+    if (points.size() < (alone ? 7 : 2)) continue;
+    const double before = top.rho;
+    top.local =
+        alone ? local_curve(points, before, top.sticks) : corrected(coarse, points[0], points[1]);
+    const double room = alone ? 1.5 * top.local.reach : std::min(before, 2 - before) / 20;
+    top.rho = place_of(top.local, 1, 0, std::max(before - room, top.sticks ? 0 : 1.0),
+                       std::min(before + room, top.sticks ? 1 : 2.0));
+    const Results now = derivative(top.local, 0, top.rho);
+    const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
+    const double part = part_with_law(level.h, points[0].solution.h);
+    const Results error =
+        part * (now - last).abs() + bend * derivative(top.local, 1, top.rho).abs();
+    const bool smooth = alone || !decays_slowly(level.h, points[0].solution.h);
+    const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
+    if (smooth && std::max(error(traction), rest) < tolerance)
+      return {now(traction), now(creep), std::max(error(traction), tolerance / 10),
+              std::max(error(creep), tolerance / 10 * now(creep))};
     last = now;
+    level = points[0].solution;
   }
   throw NotResolved("coupled: the largest traction is not resolved to " + shortest(tolerance), {});
 }
@@ -214,7 +235,7 @@ Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
     const double low = x.points[i - 1].rho, high = x.points[i].rho;
     const LocalCurve local = local_curve(x.points, (low + high) / 2, high <= 1);
     const double rho = place_of(local, 0, asked, low, high);
-    if (k > 0 && std::abs(rho - found.local.middle) < 1e-4) break;
+    if (k > 0 && std::abs(rho - found.local.middle) < 5e-3) break;
     if (!add(x, i, rho, x.points[rho - low < high - rho ? i - 1 : i].solution)) break;
     found = {x.points[i].solution, local_curve(x.points, rho, high <= 1)};
   }
@@ -222,10 +243,9 @@ Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
 }
 
 /// Solve with n unknowns where the derivative says, moving on until less than share of each result
-/// is left to second order; slope, the derivative by the traction, is improved. The curvature is
-/// that of the traction by the parameter, over the square of its slope.
+/// is left to be carried over; slope, the derivative by the traction, is improved.
 GridSolution settle(const CreepCurve& curve, const Prescribed& given, const GridSolution& from,
-                    Results& slope, double curvature, double share) {
+                    Results& slope, double share) {
   const auto& [scene, formulation, n, unused] = curve;
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
@@ -237,10 +257,10 @@ GridSolution settle(const CreepCurve& curve, const Prescribed& given, const Grid
                 : solve_on_grid(scene, formulation, n,
                                 moved_by(last.at, slope(stick_slip_border) * missing), last);
     if (level.newton_steps == 0) break;
-    const double moved = level.value(traction) - last.value(traction), rest = residual(level, given);
+    const double moved = level.value(traction) - last.value(traction);
     if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;
-    const Results left = slope * curvature * rest * rest / scale_of(level.value);
-    if (left.head(compared).abs().maxCoeff() < share) break;
+    const Results carried = slope * residual(level, given) / scale_of(level.value);
+    if (0.02 * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
@@ -269,10 +289,10 @@ void refuse_beyond(const Points& points, const std::optional<TractionLimit>& lim
 
 CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
                                 double asked, Branch branch) {
-  Walk x = walk({scene, formulation, 10}, asked, branch);
-  while (!x.whole && x.curve.n < 40) x = walk({scene, formulation, 2 * x.curve.n}, asked, branch);
+  Walk x = walk({scene, formulation, 12}, asked, branch);
+  while (!x.whole && x.curve.n < 48) x = walk({scene, formulation, 2 * x.curve.n}, asked, branch);
   if (x.points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
-  const std::optional<LocalCurve> top = about_the_highest(x);
+  const std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
   if (top) limit = traction_limit(x.curve, tolerance, *top, highest.solution);
@@ -281,14 +301,11 @@ CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, dou
       about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
   const Prescribed given{traction, asked};
   const Results by_rho = derivative(local, 1, local.middle);
-  const double per = by_rho(traction);
-  const double curvature = std::abs(derivative(local, 2, local.middle)(traction)) / (2 * per * per);
-  Results slope = by_rho / per;
-  CoupledSolution found = refine(scene, formulation, tolerance, given, level, slope,
-                                 [&](int n, const GridSolution& last) {
-                                   return settle({scene, formulation, n}, given, last, slope,
-                                                 curvature, tolerance / 10);
-                                 });
+  Results slope = by_rho / by_rho(traction);
+  CoupledSolution found = refine(
+      scene, formulation, tolerance, given, level, slope, [&](int n, const GridSolution& last) {
+        return settle({scene, formulation, n}, given, last, slope, tolerance / 10);
+      });
   found.limit = limit;
   found.branch = branch;
   return found;

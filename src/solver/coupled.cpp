@@ -83,7 +83,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
-  for (int n = easy ? 6 : 10; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
+  const int first = scene.law ? 12 : (easy ? 6 : 10);
+  for (int n = first; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
        n *= 2) {
     Results better = slope;
     tried = find_border(scene, formulation, n, given, level, better);
@@ -130,7 +131,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then), edged = level.crossing && flat;
-  const bool bent = (scene.law && n > 40 && flat) || edged;
+  const bool bent = (scene.law && decays_slowly(last.h, level.h)) || edged;
   const double remembered = edged ? 0.00025 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
   double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()

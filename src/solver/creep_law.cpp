@@ -72,7 +72,17 @@ GridSolution solution_at(const HalfCurve& curve, int n, double w, GridSolution n
   return x;
 }
 
-constexpr int law_grids[] = {20, 40, 64};
+/// A number of unknowns, and that of the grid it is compared with.
+struct LawGrid {
+  int n, finer;
+};
+
+using LawGrids = std::vector<LawGrid>;
+
+const LawGrids& law_grids(const Scene& scene) {
+  static const LawGrids cold{{20, 40}, {40, 80}, {64, 128}}, hot{{20, 33}, {40, 66}, {64, 106}};
+  return scene.law ? hot : cold;
+}
 
 bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
   if (x.newton_steps == 0 || y.newton_steps == 0) return false;
@@ -81,15 +91,15 @@ bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
                    change(Quantity::max_temperature)}) < tolerance;
 }
 
-double leeway(int n, double w) { return n == *std::rbegin(law_grids) && w < 1.5 ? 10 : 1; }
+double leeway(int n, double w) { return n == 64 && w < 1.5 ? 10 : 1; }
 
 constexpr const char* not_resolved = "the solution is not resolved";
 
 /// Why the curve does not go on to w; empty if it does. In that case near becomes the solution.
 std::string why_not(const HalfCurve& curve, double tolerance, double w, GridSolution& near) {
-  for (const int n : law_grids) {
-    if (w == 2 && n > law_grids[0]) break;  // no layer at an infinite creep is ever thick
-    const GridSolution x = solution_at(curve, n, w, near), y = solution_at(curve, 2 * n, w, x);
+  for (const auto& [n, finer] : law_grids(curve.scene)) {
+    if (w == 2 && n > 20) break;  // no layer at an infinite creep is ever thick
+    const GridSolution x = solution_at(curve, n, w, near), y = solution_at(curve, finer, w, x);
     if (!agree(x, y, leeway(n, w) * tolerance)) continue;
     if (!y.violations.empty()) return "contact is lost: " + y.violations.front().what;
     if (x.value(Quantity::creep) <= near.value(Quantity::creep)) return "the creep turns back";
@@ -197,7 +207,9 @@ struct Trial {
   LawErrors error, of_grid;
 };
 
-Trial try_piece(const HalfInTheMaking& x, int n, double from, double to, GridSolution near) {
+Trial try_piece(const HalfInTheMaking& x, const LawGrid& grid, double from, double to,
+                GridSolution near) {
+  const auto [n, finer] = grid;
   bool solved = true;
   const auto at = [&](int unknowns, double k) {
     const double w = law_node(from, to, k);
@@ -212,7 +224,7 @@ Trial try_piece(const HalfInTheMaking& x, int n, double from, double to, GridSol
   for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k));
   Trial trial{fitted(y), 0.2 * x.tolerance, LawErrors::Zero()};
   for (const double k : {7.5, 5.5, 2.5, 0.5}) {
-    const Stored fine = at(2 * n, k);
+    const Stored fine = at(finer, k);
     trial.error = trial.error.max(missed(trial.piece, fine));
     if ((trial.error <= x.tolerance).all()) continue;
     const LawErrors moved = errors_of(at(n, k).value - fine.value, to <= 1, fine);
@@ -229,13 +241,13 @@ bool is_too_coarse(const Trial& trial, const LawErrors& tolerance) {
 }
 
 /// Add the pieces from w = from to w = to, on this grid or finer ones; false where they end early.
-bool add_pieces(HalfInTheMaking& x, const int* grid, double from, double to,
+bool add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
                 const GridSolution& near) {
   Trial trial = try_piece(x, *grid, from, to, near);
-  while (is_too_coarse(trial, x.tolerance) && grid + 1 < std::end(law_grids))
+  while (is_too_coarse(trial, x.tolerance) && grid != &law_grids(x.curve.scene).back())
     trial = try_piece(x, *++grid, from, to, near);
   const bool coarse = is_too_coarse(trial, x.tolerance);
-  if ((trial.error <= (coarse ? leeway(*grid, from) : 1) * x.tolerance).all()) {
+  if ((trial.error <= (coarse ? leeway(grid->n, from) : 1) * x.tolerance).all()) {
     x.half.pieces.push_back(trial.piece);
     x.error = x.error.max(trial.error);
     return true;
@@ -257,8 +269,9 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   x.half.unit_creep = unit.value(Quantity::creep);
   x.tolerance(1) *= unit.value(Quantity::max_temperature);
   x.half.reason = end.reason;
-  const bool whole = add_pieces(x, law_grids, 0, full, {}) &&
-                     (end.w <= 1 || add_pieces(x, law_grids, 1, end.w, unit));
+  const LawGrid* grid = law_grids(scene).data();
+  const bool whole =
+      add_pieces(x, grid, 0, full, {}) && (end.w <= 1 || add_pieces(x, grid, 1, end.w, unit));
   if (!whole) x.half.reason = not_resolved;
   if (x.half.pieces.empty())
     throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere", {});

@@ -138,7 +138,15 @@ int unknowns_after(int n) {
 }
 
 double part_with_law(const VectorXd& before, const VectorXd& now) {
-  return std::clamp(tail(now) / tail(before), 0.01, 0.2);
+  const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
+  const double least = std::pow(finer, 3), most = now.size() > 200 ? 0.05 : 0.2;
+  const double shrunk = 2 * tail(now) / (tail(before) + 1e-9);
+  return std::min(std::max(shrunk, least), std::max(most, least));
+}
+
+bool decays_slowly(const VectorXd& before, const VectorXd& now) {
+  const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
+  return tail(now) > std::max(1e-6, std::pow(finer, 4) * tail(before));
 }
 
 }  // namespace thermoroll

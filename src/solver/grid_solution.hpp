@@ -52,6 +52,7 @@ double tail(const Eigen::VectorXd& h);
 /// With a law of friction, the part of a change since the grid before that is counted as an error,
 /// by the coefficients of h on that grid and on this; and the unknowns of the next grid.
 double part_with_law(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
+bool decays_slowly(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 int unknowns_after(int n);
 
 /// The flux that crosses between both bodies in a solution, where it is solved for.

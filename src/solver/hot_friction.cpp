@@ -59,7 +59,7 @@ HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule, const Matrix
   if (z.zones.stick == 0) arm.setOnes();
   const MatrixXd at_node = derivative_at_node(z, rule, weight);
   const Index n = z.y.size();
-  return {lost_friction_matrix(z, weight),      at_node, at_node * p,
+  return {lost_friction_matrix(z, weight),  at_node, at_node * p,
           at_node * temperature.topRows(n), weight,  arm * weight};
 }
 
