@@ -18,8 +18,7 @@ inline constexpr int node_weights = 5;  // kernels times heat or its derivative,
 inline constexpr int most_weights = 7;  // with those of the temperature
 using KernelWeights =
     Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns + 24, most_weights>;
-using Sums =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_weights, Eigen::Dynamic>;
+using Sums = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_weights, Eigen::Dynamic>;
 
 struct GradedRule {
   GradedArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights

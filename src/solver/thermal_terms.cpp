@@ -84,7 +84,8 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     thermal.f.bottomRows(m).noalias() = n1 * heat;
     thermal.g.bottomRows(m).noalias() = n2 * heat;
     if (scene.law)
-      thermal.temperature.bottomRows(m) = temperatures_further(conduction, graded.zeta, further) * heat;
+      thermal.temperature.bottomRows(m) =
+          temperatures_further(conduction, graded.zeta, further) * heat;
   }
   const double strain = conduction.pair ? sign_of(scene.direction) : strain_share(scene);
   const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;

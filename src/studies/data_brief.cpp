@@ -24,7 +24,7 @@ Scene wheel(bool two_bodies, bool falls) {
   return scene;
 }
 
-constexpr double full_slip = 2 * paper::friction / pi;  // Carter's xi* there
+const double full_slip = 2 * paper::friction / pi;  // Carter's xi* there
 
 std::vector<double> relative_tractions(const Scene& scene, const std::vector<double>& creeps) {
   const CreepLaw law = creep_law(scene, Formulation::corrected, 1e-5, 3 * full_slip);

@@ -49,14 +49,14 @@ double transform(const PairTable& table, int remainder, double p, double reach) 
   return integrate([&](double z) { return table(z)(remainder) * std::exp(p * z); }, points).value;
 }
 
-// From 2^-24 / (2 Pe) of the faster body on the table is as good as its exponentials, which are
+// From 2^-20 / (2 Pe) of the faster body on the table is as good as its exponentials, which are
 // squared up to seven times: 2^7 epsilon each, and ten times that in their sum, are 3e-13 of the
 // largest values; ten times that is allowed.
 TEST(UnlikeBodies, TheTableIsItsExponentials) {
   std::mt19937 generator(3);
   for (const Scene& x : pairs()) {
     const PairTable table(x);
-    const double first = 0x1p-25 / std::max(x.peclet, x.roller.peclet);
+    const double first = 0x1p-21 / std::max(x.peclet, x.roller.peclet);
     const double rounding = 1e-14 * (x.heating + x.roller.heating + 1);
     Remainders scale = Remainders::Zero();
     for (double z = first; z < 4; z *= 2)
