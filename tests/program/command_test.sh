@@ -1564,7 +1564,7 @@ BadCreepLaws() {
   refuses 2 "needs --half-width: from a radius it would differ along it" law "${wheel[@]:0:6}" "${wheel[@]:8}"
   refuses 2 "--peclet and --heating exclude data in SI units" law "${wheel[@]}" --peclet 100
   refuses 2 "peclet = -1 is not allowed" law --friction 0.6 --peclet -1
-  refuses 2 "unlike diffusivities" $law --heating 1 --roller conducting --conductivity-ratio 1 --heating-2 1 --peclet-2 50
+  refuses 2 "different bulk temperatures" $law --heating 1 --roller identical --bulk-difference 0.01
   refuses 1 "cannot write nowhere/law.c" $law --output nowhere/law.c
 }
 
