@@ -282,8 +282,7 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
   const HalfInTheMaking driving = half_law(one, formulation, tolerance, reach);
   one.direction = Direction::braking;
   const bool mirrors = strain_share(one) == 0 && !is_unlike(one);
-  const HalfInTheMaking braking =
-      mirrors ? driving : half_law(one, formulation, tolerance, reach);
+  const HalfInTheMaking braking = mirrors ? driving : half_law(one, formulation, tolerance, reach);
   const LawErrors error = driving.error.max(braking.error);
   return {driving.half, braking.half, error(0), error(2), error(1)};
 }
