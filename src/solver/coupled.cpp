@@ -147,7 +147,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left = estimate_with_law(change, last.h, level.h);
   if (level.crossing && !bent) {
     const double most = 0.5 * change.head(compared).maxCoeff();
-    left = std::max({flat ? 0 : left, most, n > 40 ? 0 : 2 * change(max_temperature)});
+    const bool rough = scene.bulk_difference != 0 && n <= 40;
+    left = std::max({flat ? 0 : left, most, rough ? 2 * change(max_temperature) : 0});
   }
   return {value, change, left + rounding(given, slope, scale)};
 }
