@@ -54,7 +54,7 @@ void share_heat(json& o, const Scene& scene, const Results& x) {
 void share_heat_with(const CrossingHeat& crossing, json& o, json& error, const Solution& x) {
   const double heat = x.value(Quantity::heat_integral), bulk = x.scene.bulk_difference;
   const double heat_1 = heat_share(x.scene) * heat + crossing.heat;
-  const double left = (*x.error)(Quantity::heat_integral) * (1 + std::abs(crossing.heat) / heat);
+  const double left = (*x.error)(Quantity::heat_integral) + crossing.heat_error;
   o["heat_1"] = heat_1;
   o["heat_2"] = heat - heat_1;
   o["heat_partition"] = bulk == 0 ? json(heat_1 / heat) : json();
@@ -67,14 +67,18 @@ void add_exchange(json& o, json* error, const Solution& x) {
   const double uniform = heat_share(scene) * x.value(Quantity::heat_integral);
   o["exchanged_heat"] = insulated ? json() : json(o["heat_1"].get<double>() - uniform);
   if (error != nullptr) (*error)["exchanged_heat"] = insulated ? json() : (*error)["heat_1"];
-  const NoSlip still = bulk ? no_slip(scene) : NoSlip{};
-  o["no_slip_traction"] = bulk ? json(still.traction) : json();
-  o["no_slip_creep"] = bulk ? json(still.creep) : json();
+  const NoSlip still = bulk ? no_slip(scene, x.approach.tolerance) : NoSlip{};
+  const auto tell = [&](const char* key, double value, double left) {
+    o[key] = bulk ? json(value) : json();
+    if (error != nullptr) (*error)[key] = bulk ? json(left) : json();
+  };
+  tell("no_slip_traction", still.traction, still.traction_error);
+  tell("no_slip_creep", still.creep, still.creep_error);
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  const CrossingHeat edge = coupled ? coupled->crossing.value_or(CrossingHeat{}) : CrossingHeat{};
   const double apart = scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
-  const bool edge = bulk && coupled != nullptr && coupled->crossing;
-  o["edge_log_coefficient"] =
-      edge ? json(-2 * scene.friction / pi * apart * coupled->crossing->edge) : json();
+  const double unit = -2 * scene.friction / pi * apart;
+  tell("edge_log_coefficient", unit * edge.edge, std::abs(unit) * edge.edge_error);
 }
 
 void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {

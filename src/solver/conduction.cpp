@@ -7,20 +7,25 @@
 
 namespace thermoroll {
 
-struct PairKernels {
-  Kernels of;
-  double temperature_up;
-};
+std::vector<Kernels> kernels_at(const Eigen::ArrayXd& zeta) {
+  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
+  fast_kernels(k.size(), zeta.data(), k.data());
+  return k;
+}
 
-/// @eq:pair-kernels at the distance zeta > 0, over D1 + kappa D2, and over one for T.
-PairKernels pair_kernels(const Conduction& c, double zeta) {
-  const double z = zeta / c.peclet, zeta_1 = c.pair->peclet * z;
+std::vector<Kernels> pair_kernels(const Conduction& c, const Eigen::ArrayXd& zeta) {
+  const Eigen::ArrayXd z = zeta / c.peclet;
   const double d1 = c.pair->slope_1, d2 = c.pair->slope_2, unit = d1 + d2 > 0 ? 1 / (d1 + d2) : 0;
-  const Kernels k1 = fast_kernels(zeta_1), k2 = fast_kernels(c.pair->other_peclet * z);
-  const Remainders r = (*c.pair)(z);
-  return {{unit * (d1 * k1.n1 + d2 * k2.n1 + r(0)), unit * (d1 * k1.n2_up - d2 * k2.n2_up + r(1)),
-           unit * (d1 * k1.n2_down - d2 * k2.n2_down + r(3)), k1.m_down + r(4)},
-          k1.m_down * std::exp(-2 * zeta_1) + r(2)};
+  std::vector<Kernels> all = kernels_at(c.pair->peclet * z);
+  const std::vector<Kernels> others = kernels_at(c.pair->other_peclet * z);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Kernels k1 = all[i], &k2 = others[i];
+    const Remainders r = (*c.pair)(z(static_cast<Eigen::Index>(i)));
+    all[i] = {unit * (d1 * k1.n1 + d2 * k2.n1 + r(0)),
+              unit * (d1 * k1.n2_up - d2 * k2.n2_up + r(1)),
+              unit * (d1 * k1.n2_down - d2 * k2.n2_down + r(3)), k1.m_down + r(4)};
+  }
+  return all;
 }
 
 std::shared_ptr<const PairTable> table_of(const Scene& pair, bool crossing) {
@@ -43,18 +48,15 @@ Conduction::Conduction(const Scene& scene, bool crossing) : peclet(scene.peclet)
 }
 
 std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta) {
-  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
-  if (!c.pair) fast_kernels(k.size(), zeta.data(), k.data());
-  for (std::size_t i = 0; c.pair && i < k.size(); ++i)
-    k[i] = pair_kernels(c, zeta(static_cast<Eigen::Index>(i))).of;
-  return k;
+  return c.pair ? pair_kernels(c, zeta) : kernels_at(zeta);
 }
 
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) {
   if (!c.pair) return (zeta < 300).select((-2 * zeta).exp(), 0);  // not below what a number holds
   return zeta.unaryExpr([&](double at) {
-    const PairKernels k = pair_kernels(c, at);
-    return k.temperature_up / k.of.m_down;
+    const double z = at / c.peclet, zeta_1 = c.pair->peclet * z, m = fast_kernels(zeta_1).m_down;
+    const Remainders r = (*c.pair)(z);
+    return (m * std::exp(-2 * zeta_1) + r(2)) / (m + r(4));
   });
 }
 

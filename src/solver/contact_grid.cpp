@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 ArrayXd strain_on_stick(const ContactGrid& grid, const VectorXd& h) {
   const Index m = grid.nodes.d.size();
   ArrayXd g = grid.thermal.g.bottomRows(m) * h;
-  if (grid.thermal.bulk_g.size() > 0) g += grid.thermal.bulk_g.tail(m).array();
+  if (grid.bulk) g += grid.thermal.bulk.g.tail(m).array();
   return g;
 }
 
@@ -156,13 +156,12 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   tractions.v.noalias() += in_v * thermal.g.bottomRows(m);
   tractions.p = (tractions.p.rowwise() + 2 * tractions.kappa) / pi;
   tractions.v = (tractions.v.rowwise() + 2 * friction * tractions.kappa) / pi;
-  if (thermal.bulk_f.size() > 0) {
-    const ThermalTerms bulk{thermal.bulk_f, thermal.bulk_df, thermal.bulk_g};
-    const TractionOperators more = traction_operators(z, bulk, friction);
-    tractions.p0 += more.p.col(0).array();
-    tractions.v0 += more.v.col(0).array();
-    tractions.bulk_kappa = more.kappa(0);
-    tractions.bulk_gamma0 = more.gamma0(0);
+  if (thermal.bulk.g.size() > 0) {
+    const BulkTerms& bulk = thermal.bulk;
+    tractions.p0 += bulk.pressure.head(n).array() + 2 * bulk.kappa / pi;
+    VectorXd v = less_v.cwiseProduct(bulk.g.head(n));
+    v.noalias() += in_v * bulk.g.tail(m);
+    tractions.v0 += (v.array() + 2 * friction * bulk.kappa) / pi;
   }
   return tractions;
 }
@@ -176,19 +175,22 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   std::optional<Exchange> crossing;
   if (exchanges(scene, zones)) {
     crossing = exchange(scene, formulation, nodes, rules, terms);
-    add_exchange(*crossing, scene.bulk_difference, thermal);
+    add_exchange(*crossing, thermal);
   }
   if (scene.law && crossing) thermal.temperature += crossing->temperature.leftCols(terms);
+  const auto bulk = bulk_exchange(scene, nodes.y.size());
+  if (bulk) thermal.bulk = bulk_terms(*bulk, scene, formulation, nodes);
   ContactGrid grid{
-      scene, rules, nodes, thermal, traction_operators(nodes, thermal, scene.friction), crossing};
-  if (scene.law) grid.hot = hot_friction(nodes, rules.slip, grid.tractions.p, thermal.temperature);
-  if (scene.law && crossing)
-    grid.hot->bulk = scene.bulk_difference * crossing->temperature.col(terms);
+      scene,    rules, nodes, thermal, traction_operators(nodes, thermal, scene.friction),
+      crossing, bulk};
+  if (!scene.law) return grid;
+  grid.hot = hot_friction(nodes, rules.slip, grid.tractions.p, thermal.temperature);
+  grid.hot->bulk = thermal.bulk.temperature;
   return grid;
 }
 
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
-  const bool crosses = exchanges(scene, zones);
+  const bool crosses = exchanges(scene, zones) || scene.bulk_difference != 0;
   if (!is_unlike(scene) && !crosses) return GridRules(n, zones, scene.peclet);
   const Conduction conduction(scene, false);
   const auto more = static_cast<int>(8 - 8 * std::log10(conduction.slowest));
@@ -203,8 +205,8 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 Resultants resultants(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
   const double f = grid.scene.friction, a0 = z.zones.stick / 2;
-  const double more = grid.tractions.kappa.dot(h) + grid.tractions.bulk_kappa, kappa = 1 + more;
-  const double gamma0 = grid.tractions.gamma0.dot(h) + grid.tractions.bulk_gamma0;
+  const double more = grid.tractions.kappa.dot(h) + grid.thermal.bulk.kappa, kappa = 1 + more;
+  const double gamma0 = grid.tractions.gamma0.dot(h) + grid.thermal.bulk.gamma0;
   const Lost lost_to_heat = grid.hot ? lost_friction(grid, h) : Lost{0, 0};
   if (z.zones.stick == 0)  // full slip
     return {kappa, gamma0, grid.creep + f * gamma0, f - lost_to_heat.traction};
@@ -274,9 +276,8 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const TractionOperators& tractions = grid.tractions;
   const Index n = z.y.size(), m = z.d.size();
   const double friction = grid.scene.friction;
-  const double kappa = 1 + (tractions.kappa.dot(h) + tractions.bulk_kappa);
+  const double kappa = 1 + (tractions.kappa.dot(h) + grid.thermal.bulk.kappa);
   ArrayXd f = grid.thermal.f * h, g = strain_on_stick(grid, h);
-  if (grid.thermal.bulk_f.size() > 0) f += grid.thermal.bulk_f.array();
   const GaussLegendre& stick = grid.rules.stick;
   const ArrayXd dx_dr = -stick.w / (z.over_w * (z.d * (z.zones.stick - z.d)).sqrt());
   const MatrixXd to = to_legendre(stick), slopes = by_derivatives(stick.p);
@@ -294,6 +295,7 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   }
   p /= pi;
   v /= pi;
+  if (grid.bulk) p += grid.thermal.bulk.pressure.tail(m).array();
   ArrayXd pressure(m + n), slip(m + n), s(m + n), phi;
   if (grid.hot) {
     phi.resize(m + n);

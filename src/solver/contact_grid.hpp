@@ -1,6 +1,7 @@
 // Tangled from paper/12-coupled-problem.md; edit there.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <Eigen/Core>
@@ -15,13 +16,12 @@
 
 namespace thermoroll {
 
-/// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa = 1 + bulk_kappa + kappa h and
-/// gamma0 = bulk_gamma0 + gamma0 h. The matrices have n rows and a column for each term of h.
+/// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa h and gamma0 h are added to
+/// what they are without h. The matrices have n rows and a column for each term of h.
 struct TractionOperators {
   Eigen::ArrayXd p0, v0;  // Hertz's 2 / pi and Carter's 2 f / pi, and what a bulk difference adds
   Eigen::MatrixXd p, v;
   Eigen::RowVectorXd kappa, gamma0;
-  double bulk_kappa = 0, bulk_gamma0 = 0;
 };
 
 /// These matrices on the nodes of a grid.
@@ -34,9 +34,10 @@ struct ContactGrid {
   Nodes nodes;
   ThermalTerms thermal;
   TractionOperators tractions;
-  std::optional<Exchange> crossing{};  // what crosses between both bodies, where it is solved for
-  double creep = 0;                    // given in full slip only
-  std::optional<HotFriction> hot{};    // where friction depends on temperature
+  std::optional<Exchange> crossing{};          // of the heat of friction, where it is solved for
+  std::shared_ptr<const BulkExchange> bulk{};  // by a bulk difference, if there is one
+  double creep = 0;                            // given in full slip only
+  std::optional<HotFriction> hot{};            // where friction depends on temperature
 };
 
 /// By these rules, for an h of so many terms; or with n unknowns, and as many terms.

@@ -83,7 +83,9 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
-  const int first = scene.law ? 12 : (easy ? 6 : 10);
+  const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
+  const int cautious = crosses && digits > 4 ? 16 : 10;
+  const int first = scene.law ? 12 : easy ? 6 : cautious;
   for (int n = first; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
        n *= 2) {
     Results better = slope;
@@ -98,6 +100,13 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
                              shortest(tried.at.c0()));
+  if (scene.bulk_difference != 0) {
+    const auto n = static_cast<int>(level.h.size());
+    const double step = 1e-3 * std::min(level.at.slip, level.at.stick);
+    const Results change =
+        solve_on_grid(scene, formulation, n, moved_by(level.at, step), level).value - level.value;
+    slope = change / change(given.quantity);
+  }
   return level;
 }
 
@@ -130,14 +139,18 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
-  const bool flat = now > std::max(1e-6, 0.05 * then), edged = level.crossing && flat;
-  const bool bent = (scene.law && decays_slowly(last.h, level.h)) || edged;
-  const double remembered = edged ? 0.00025 : bent ? 0.2 : slow ? 0.004 : 0.02;
+  const bool flat = now > std::max(1e-6, 0.05 * then);
+  const bool bent = scene.law && decays_slowly(last.h, level.h);
+  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
-  double left = bent ? (edged ? 4 : 2) * change.head(compared).maxCoeff()
-                     : estimate(change, now, then, n, slow);
+  double left = bent ? 2 * change.head(compared).maxCoeff() : estimate(change, now, then, n, slow);
   if (scene.law && !bent && !slow && !level.crossing)
     left = estimate_with_law(change, last.h, level.h);
+  if (level.crossing && !bent) {
+    const double most = 0.5 * change.head(compared).maxCoeff();
+    const bool rough = scene.bulk_difference != 0 && n <= 40;
+    left = std::max({flat ? 0 : left, most, rough ? 2 * change(max_temperature) : 0});
+  }
   return {value, change, left + rounding(given, slope, scale)};
 }
 
@@ -234,6 +247,10 @@ CoupledSolution refine(const Scene& scene, Formulation formulation, double toler
       found = refined(scene, found, level, last, given, slope);
       trace.back().change = found.change.head(compared).maxCoeff();
       trace.back().estimate = found.error;
+      if (level.crossing && last.crossing) {
+        level.crossing->heat_error = std::abs(level.crossing->heat - last.crossing->heat);
+        level.crossing->edge_error = std::abs(level.crossing->edge - last.crossing->edge);
+      }
       if (found.error <= tolerance && same_kinds(level.violations, last.violations))
         return solution_of(scene, formulation, level, found, trace);
       stalled =
@@ -298,10 +315,16 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
           }};
 }
 
-std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x) {
-  const ContactGrid grid = grid_of(x, x.unknowns);
-  if (!grid.crossing) return std::nullopt;
-  return exchanged_flux(*grid.crossing, grid.nodes, x.h, x.scene.bulk_difference);
+/// What of it is solved for on a grid.
+std::vector<ExchangedFlux> crossing_flux(const ContactGrid& grid, const VectorXd& h) {
+  std::vector<ExchangedFlux> all;
+  if (grid.crossing) all.push_back(exchanged_flux(*grid.crossing, grid.nodes, h));
+  if (grid.bulk) all.push_back({{2, 0}, grid.scene.bulk_difference * grid.bulk->flux, {}});
+  return all;
+}
+
+std::vector<ExchangedFlux> crossing_flux(const CoupledSolution& x) {
+  return crossing_flux(grid_of(x, x.unknowns), x.h);
 }
 
 ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
@@ -311,7 +334,10 @@ ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
   const GridRules rules(std::max(x.unknowns, 60), at);
   const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
   const Exchange crossing = exchange(pair, x.formulation, nodes, rules, x.h.size());
-  return flux_at(exchanged_flux(crossing, nodes, x.h, pair.bulk_difference), s);
+  ArrayXd flux = flux_at(exchanged_flux(crossing, nodes, x.h), s);
+  if (const auto bulk = bulk_exchange(pair, nodes.y.size()))
+    flux += flux_at({{2, 0}, pair.bulk_difference * bulk->flux, {}}, s);
+  return flux;
 }
 
 Profile profile(const CoupledSolution& x) {
@@ -331,17 +357,16 @@ Profile profile(const CoupledSolution& x) {
   profile.slip.tail(n) = profile.heat_flux.tail(n) / profile.pressure.tail(n);
   if (at.phi.size() > 0) profile.slip.tail(n) /= at.phi.tail(n);
   const Conduction conduction(x.scene, !grid.crossing);
+  const VectorXd h = smooth_flux(x).h;
   for (Index i = 0; i < m + n; ++i) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
     profile.temperature(i) =
-        temperature_and_slope(slip, conduction, x.h, left, 2 - left, gap, grid.rules.fine).value;
+        temperature_and_slope(slip, conduction, h, left, 2 - left, gap, grid.rules.fine).value;
   }
   profile.temperature *= heat_share(x.scene);
-  if (grid.crossing) {
-    const ExchangedFlux e = exchanged_flux(*grid.crossing, z, x.h, x.scene.bulk_difference);
+  for (const ExchangedFlux& e : crossing_flux(grid, x.h))
     profile.temperature += temperature_of(e, x.scene.peclet, at.s, grid.rules.fine);
-  }
   return profile;
 }
 

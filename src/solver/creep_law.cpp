@@ -51,6 +51,7 @@ struct HalfCurve {
 /// The solution's largest T*, which strong heat may have twice, the hotter one at the trailing
 /// edge.
 double hottest(const HalfCurve& curve, const GridSolution& x) {
+  if (x.crossing) return x.value(Quantity::max_temperature);  // which has searched there too
   const HottestPoint trailing =
       find_hottest(x.at.slip, Conduction(curve.scene), x.h, {0.98, 0, -3}, gauss_legendre(40));
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
@@ -286,8 +287,6 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance, double reach) {
   check(scene);
   if (!(reach > 0)) require(false, "reach", reach, "positive");
-  if (is_unlike(scene))
-    throw std::invalid_argument("a law is not made for bodies of unlike diffusivities");
   if (scene.bulk_difference != 0)
     throw std::invalid_argument("a law is not made for bodies of different bulk temperatures");
   require(1e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-7 to 1e-2");
@@ -295,8 +294,8 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
   one.direction = Direction::driving;
   const HalfInTheMaking driving = half_law(one, formulation, tolerance, reach);
   one.direction = Direction::braking;
-  const HalfInTheMaking braking =
-      strain_share(one) == 0 ? driving : half_law(one, formulation, tolerance, reach);
+  const bool mirrors = strain_share(one) == 0 && !is_unlike(one);
+  const HalfInTheMaking braking = mirrors ? driving : half_law(one, formulation, tolerance, reach);
   const LawErrors error = driving.error.max(braking.error);
   return {driving.half, braking.half, error(0), error(2), error(1)};
 }

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include <Eigen/LU>
 
+#include "solver/contact_grid.hpp"
 #include "solver/graded_rule.hpp"
 
 namespace thermoroll {
@@ -212,20 +215,56 @@ RowVectorXd flux_integrals(const Nodes& z, const GridRules& rules) {
   return both;
 }
 
-NoSlip find_no_slip(const Scene& scene) {
-  NoSlip now;
+BulkExchange solve_bulk(const Scene& scene, int n) {
   Scene driven = scene;
   driven.direction = Direction::driving;
-  for (int n = 40; n <= 160; n *= 2) {
-    const GridRules rules(n, {2, 0});
-    const Nodes z = place_nodes({2, 0}, rules.slip, rules.stick);
-    const ThermalTerms terms = exchange(driven, Formulation::corrected, z, rules, 0).thermal;
-    const ArrayXd strain = scene.bulk_difference * (terms.g - scene.friction * terms.f).col(0);
-    const NoSlip last = now;
-    now = {(z.over_root.array() * z.s * strain).sum(), z.over_root.dot(strain.matrix()) / pi};
-    if (std::abs(now.creep - last.creep) < 1e-10 * std::abs(now.creep)) break;
-  }
-  return now;
+  const GridRules rules(n, {2, 0});
+  const Nodes z = place_nodes({2, 0}, rules.slip, rules.stick);
+  const Exchange x = exchange(driven, Formulation::corrected, z, rules, 0);
+  const VectorXd f = x.thermal.f.col(0), strain = x.thermal.g.col(0) - scene.friction * f;
+  const MatrixXd to = to_legendre(rules.slip);
+  BulkExchange bulk{x.series.col(0), to * f, to * strain, to * x.temperature.col(0), {}};
+  const ExchangingPair pair = exchanging_pair(driven, Formulation::corrected);
+  const double j = pair.slope + pair.slope_2;
+  bulk.root_1 = -2 * j * x.edge(0);
+  bulk.root_2 = 2 * j * std::sqrt(2) * x.series.col(0).sum();
+  const ArrayXd roots = bulk.root_1 * (1 + z.s).sqrt() + bulk.root_2 * (1 - z.s).sqrt();
+  const VectorXd rest = f - roots.matrix();
+  const ThermalTerms smooth{rest, slopes_at_nodes(z, rules.slip) * rest, 0 * rest};
+  const TractionOperators by = traction_operators(z, smooth, scene.friction);
+  bulk.pressure = to * (by.p.col(0).array() - 2 * by.kappa(0) / pi).matrix();
+  bulk.kappa = z.over_root.cwiseProduct(z.s.matrix()).dot(f);
+  bulk.gamma0 = z.over_root.dot(f) / pi;
+  bulk.heat = x.heat(0);
+  bulk.edge = x.edge(0);
+  bulk.rest.creep = z.over_root.dot(strain) / pi;
+  bulk.rest.traction = z.over_root.cwiseProduct(z.s.matrix()).dot(strain);
+  return bulk;
+}
+
+/// At the distances 1 + s and 1 - s from its edges.
+double on_whole_contact(double left, double right) {
+  const double near = distance_of_share(std::min({left, right, 1.0}) / 2);
+  return left < right ? near - 1 : 1 - near;
+}
+
+struct EdgeDistances {
+  ArrayXd left, right;
+};
+
+EdgeDistances edge_distances(const Nodes& z) {
+  const Index n = z.y.size(), m = z.d.size();
+  EdgeDistances at{ArrayXd(n + m), ArrayXd(n + m)};
+  at.left << z.zones.stick + z.zones.slip * z.t, z.zones.stick - z.d;
+  at.right.tail(m) = z.zones.slip + z.d;
+  for (Index i = 0; i < n; ++i)  // 1 - t with its digits
+    at.right(i) = z.zones.slip * SlipPoint(1 - z.y(i), 1 + z.y(i)).t();
+  return at;
+}
+
+/// L of @eq:edge-pressure, with 2 - x^2.
+ArrayXd edge_pressure(const ArrayXd& x, const ArrayXd& rest) {
+  return ((std::sqrt(2) + x).square() / rest).log() / x;
 }
 
 /// The target at this distance from the border, negative before it.
@@ -289,33 +328,68 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
   return x;
 }
 
-void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to) {
+void add_exchange(const Exchange& x, ThermalTerms& to) {
   const Index terms = to.f.cols();
   to.f += x.thermal.f.leftCols(terms);
   to.df += x.thermal.df.leftCols(terms);
   to.g += x.thermal.g.leftCols(terms);
-  if (bulk_difference == 0) return;
-  to.bulk_f = bulk_difference * x.thermal.f.col(terms);
-  to.bulk_df = bulk_difference * x.thermal.df.col(terms);
-  to.bulk_g = bulk_difference * x.thermal.g.col(terms);
 }
 
-NoSlip no_slip(const Scene& scene) {
-  if (scene.bulk_difference == 0) return {};
-  static thread_local std::array<double, 7> last{};
-  static thread_local NoSlip found;
+std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Index unknowns) {
+  if (scene.bulk_difference == 0) return nullptr;
+  static thread_local std::array<double, 6> last{};
+  static thread_local std::map<int, std::shared_ptr<const BulkExchange>> found;
   const Roller& roller = scene.roller;
-  const std::array<double, 7> data{scene.friction,       scene.peclet,    scene.heating,
-                                   roller.heating,       peclet_2(scene), roller.conductivity_ratio,
-                                   scene.bulk_difference};
-  if (data != last) found = find_no_slip(scene);
+  const std::array<double, 6> data{scene.friction, scene.peclet,    scene.heating,
+                                   roller.heating, peclet_2(scene), roller.conductivity_ratio};
+  if (data != last) found.clear();
   last = data;
-  return found;
+  const int n = std::min(static_cast<int>(unknowns) + 20, most_unknowns);
+  auto& kept = found[n];
+  if (!kept) kept = std::make_shared<const BulkExchange>(solve_bulk(scene, n));
+  return kept;
+}
+
+BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation formulation,
+                     const Nodes& z) {
+  const EdgeDistances at = edge_distances(z);
+  const ArrayXd y = at.left.binaryExpr(at.right, &on_whole_contact);
+  const ArrayXd to_1 = at.left.sqrt(), to_2 = at.right.sqrt();
+  const MatrixXd p = scene.bulk_difference * legendre(y, x.slope.size());
+  const double outward = slope_sign(formulation) / slope_sign(Formulation::corrected);
+  const double unit = outward * scene.bulk_difference;
+  BulkTerms to{outward * (p * x.slope), {}, outward * (p * x.pressure), p * x.temperature};
+  to.g = scene.friction * to.f + sign_of(scene.direction) * (p * x.strain);
+  to.pressure.array() -= unit / pi * (x.root_1 * edge_pressure(to_2, at.left));
+  to.pressure.array() += unit / pi * (x.root_2 * edge_pressure(to_1, at.right));
+  to.kappa = unit * x.kappa;
+  to.gamma0 = unit * x.gamma0;
+  return to;
+}
+
+NoSlip no_slip(const Scene& scene, double tolerance) {
+  NoSlip now;
+  if (scene.bulk_difference == 0) return now;
+  for (int n = 10; n <= 160; n *= 2) {
+    const NoSlip last = now, rest = bulk_exchange(scene, n)->rest;
+    now.traction = scene.bulk_difference * rest.traction;
+    now.creep = scene.bulk_difference * rest.creep;
+    now.traction_error = std::abs(now.traction - last.traction);
+    now.creep_error = std::abs(now.creep - last.creep);
+    if (std::max(now.traction_error, now.creep_error) < tolerance * std::abs(now.creep)) break;
+  }
+  return now;
+}
+
+NoSlip no_slip_near(const Scene& scene, const Prescribed& given) {
+  const NoSlip rest = no_slip(scene, 1e-2);
+  const double least = given.quantity == Quantity::traction ? rest.traction : rest.creep;
+  return std::abs(given.value - least) < 0.1 * std::abs(least) ? no_slip(scene) : rest;
 }
 
 Prescribed beyond_no_slip(const Scene& scene, Prescribed given) {
-  const NoSlip rest = no_slip(scene);
   const double sign = sign_of(scene.direction), f = scene.friction;
+  const NoSlip rest = no_slip_near(scene, {given.quantity, sign * given.value});
   if (given.quantity == Quantity::creep) given.value -= sign * rest.creep;
   if (given.quantity == Quantity::traction && rest.traction != 0)
     given.value = f * (given.value - sign * rest.traction) / (f - sign * rest.traction);
@@ -323,15 +397,11 @@ Prescribed beyond_no_slip(const Scene& scene, Prescribed given) {
 }
 
 bool exchanges(const Scene& scene, const ZoneLengths& at) {
-  if (scene.bulk_difference != 0) return true;
   return is_unlike(scene) && 2 * std::min(scene.peclet, peclet_2(scene)) * at.stick < 30;
 }
 
-ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const VectorXd& h,
-                             double bulk_difference) {
-  VectorXd both(x.series.cols());
-  both << h, bulk_difference;
-  const VectorXd series = x.series * both;
+ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const VectorXd& h) {
+  const VectorXd series = x.series.leftCols(h.size()) * h;
   return {z.zones, series.head(z.y.size()), series.tail(z.d.size())};
 }
 

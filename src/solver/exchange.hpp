@@ -1,6 +1,8 @@
 // Tangled from paper/24-exchanged-heat.md; edit there.
 #pragma once
 
+#include <memory>
+
 #include <Eigen/Core>
 
 #include "solver/nodes.hpp"
@@ -30,12 +32,33 @@ bool exchanges(const Scene& scene, const ZoneLengths& at);
 Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
                   const GridRules& rules, Eigen::Index terms);
 
+/// no_slip() to a hundredth, or to all digits where a traction or creep, with its sign, is near.
+NoSlip no_slip_near(const Scene& scene, const Prescribed& given);
+
 /// What is given for a scene, less what there is without slip in its direction; a traction of f
 /// stays f.
 Prescribed beyond_no_slip(const Scene& scene, Prescribed given);
 
 /// Add it to the terms of a grid in which both bodies have the uniform share of heat.
-void add_exchange(const Exchange& x, double bulk_difference, ThermalTerms& to);
+void add_exchange(const Exchange& x, ThermalTerms& to);
+
+/// For a bulk difference of one, by the corrected equations and driving. The coefficients of
+/// @eq:exchange-series, and those of Legendre's polynomials in the y of a slip zone that is the
+/// whole contact: of F, the strain, T*, and p-hat less 2 kappa / pi without the roots at its edges.
+struct BulkExchange {
+  Eigen::VectorXd flux, slope, strain, temperature, pressure;
+  double root_1 = 0, root_2 = 0;  // of sqrt(1 + s) and sqrt(1 - s) in F
+  double kappa = 0, gamma0 = 0;
+  double heat = 0, edge = 0;  // the integral of E, and C
+  NoSlip rest{};              // @eq:no-slip
+};
+
+/// For grids of so many unknowns; none without a bulk difference.
+std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Eigen::Index unknowns);
+
+/// What the scene's bulk difference makes at the nodes of a grid.
+BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation formulation,
+                     const Nodes& z);
 
 /// E of @eq:exchange-series: the coefficients on both zones.
 struct ExchangedFlux {
@@ -43,9 +66,8 @@ struct ExchangedFlux {
   Eigen::VectorXd slip, stick;
 };
 
-/// For the coefficients of h and a bulk difference (Tb2 - Tb1 in units of T*).
-ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const Eigen::VectorXd& h,
-                             double bulk_difference);
+/// For the coefficients of h.
+ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const Eigen::VectorXd& h);
 
 /// E at every s; zero outside of the contact.
 Eigen::ArrayXd flux_at(const ExchangedFlux& x, const Eigen::ArrayXd& s);

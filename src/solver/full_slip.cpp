@@ -43,9 +43,9 @@ ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, d
   const VectorXd rigid = 2 * scene.friction / pi * grid.nodes.s;
   TractionOperators& x = grid.tractions;
   x.v0 = creep + rigid.array();
-  if (grid.thermal.bulk_g.size() > 0)
-    x.v0 += (rigid * x.bulk_kappa - grid.thermal.bulk_g.head(n)).array() +
-            scene.friction * x.bulk_gamma0;
+  const BulkTerms& bulk = grid.thermal.bulk;
+  if (grid.bulk)
+    x.v0 += (rigid * bulk.kappa - bulk.g.head(n)).array() + scene.friction * bulk.gamma0;
   x.v = rigid * x.kappa - grid.thermal.g.topRows(n);
   x.v.rowwise() += scene.friction * x.gamma0;
   grid.creep = creep;

@@ -30,14 +30,29 @@ Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
 /// Legendre coefficients of it on the slip zone over the share of the half-space; none if nothing
 /// crosses that is solved for.
 VectorXd temperature_by_exchange(const ContactGrid& grid, const VectorXd& h) {
-  if (!grid.crossing) return {};
+  if (!grid.crossing && !grid.bulk) return {};
   const Index n = grid.nodes.y.size();
-  const double bulk = grid.scene.bulk_difference;
-  const Eigen::MatrixXd& by = grid.crossing->temperature;
-  const VectorXd values = by.topRows(n).leftCols(h.size()) * h + bulk * by.col(h.size()).head(n);
+  VectorXd values = VectorXd::Zero(n);
+  if (grid.crossing) values = grid.crossing->temperature.topLeftCorner(n, h.size()) * h;
+  if (grid.bulk) values += grid.thermal.bulk.temperature.head(n);
   VectorXd series = to_legendre(grid.rules.slip) * values;
-  series(0) += std::abs(bulk);
+  series(0) += std::abs(grid.scene.bulk_difference);
   return series / heat_share(grid.scene);
+}
+
+std::optional<CrossingHeat> crossing_heat(const ContactGrid& grid, const GridSolution& found) {
+  if (!grid.crossing && !grid.bulk) return std::nullopt;
+  const double closed_form = effusivity_share(grid.scene) - heat_share(grid.scene);
+  CrossingHeat x{closed_form * found.value(heat_integral), 0};
+  if (grid.crossing) {
+    x.heat = grid.crossing->heat.head(found.h.size()) * found.h;
+    x.edge = grid.crossing->edge.head(found.h.size()) * found.h;
+  }
+  if (grid.bulk) {
+    x.heat += grid.scene.bulk_difference * grid.bulk->heat;
+    x.edge += grid.scene.bulk_difference * grid.bulk->edge;
+  }
+  return x;
 }
 
 Factors without_edges(Factors at) {
@@ -56,16 +71,12 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
   const Conduction conduction(grid.scene, !grid.crossing);
-  found.peak = find_hottest(at.slip, conduction, found.h, from.peak, grid.rules.fine,
-                            temperature_by_exchange(grid, found.h));
+  found.peak = find_hottest(at.slip, conduction, without_ripples(grid.scene, found.h), from.peak,
+                            grid.rules.fine, temperature_by_exchange(grid, found.h));
   found.value = values_on_grid(grid, found);
-  if (grid.crossing) {
-    VectorXd both(n + 1);
-    both << found.h, grid.scene.bulk_difference;
-    found.crossing = CrossingHeat{grid.crossing->heat * both, grid.crossing->edge * both};
-  }
+  found.crossing = crossing_heat(grid, found);
   const Factors at_nodes = factors(grid, found.h);
-  found.violations = violations(grid.crossing ? without_edges(at_nodes) : at_nodes);
+  found.violations = violations(found.crossing ? without_edges(at_nodes) : at_nodes);
   if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
   return found;
 }

@@ -56,7 +56,7 @@ bool decays_slowly(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 int unknowns_after(int n);
 
 /// The flux that crosses between both bodies in a solution, where it is solved for.
-std::optional<ExchangedFlux> crossing_flux(const CoupledSolution& x);
+std::vector<ExchangedFlux> crossing_flux(const CoupledSolution& x);
 
 /// That flux at every s in -1 < s < 1, in units of v* p*, of any two bodies that conduct.
 Eigen::ArrayXd exchanged_heat_flux(const CoupledSolution& x, const Eigen::ArrayXd& s);

@@ -15,7 +15,7 @@ namespace {
 
 using complex = std::complex<double>;
 
-constexpr int cell_nodes = 14;  // of the polynomials of a cell
+constexpr int cell_nodes = 12;  // of the polynomials of a cell
 
 Eigen::ArrayXd cell_places() {
   return (pi * (Eigen::ArrayXd::LinSpaced(cell_nodes, 0, cell_nodes - 1) + 0.5) / cell_nodes).cos();
@@ -64,7 +64,7 @@ Density downstream(const Scene& scene, double u) {
 
 /// Add panels from a place where a density is as a square root, to another; the first is so long.
 void add_panels(Exponentials& sum, double from, double to, double first) {
-  const GaussLegendre& rule = gauss_legendre(10);
+  const GaussLegendre& rule = gauss_legendre(12);
   const double sign = to > from ? 1 : -1, length = std::abs(to - from);
   double start = 0, end = std::min(first, length);
   while (start < length) {
@@ -75,7 +75,7 @@ void add_panels(Exponentials& sum, double from, double to, double first) {
       sum.w.push_back(rule.w(i) / 2 * width * (start > 0 ? 1 : 2 * x));
     }
     start = end;
-    end = 2 * end < 0.75 * length ? 2 * end : length;
+    end = 3 * end < 0.75 * length ? 3 * end : length;
   }
 }
 
@@ -89,13 +89,13 @@ Exponentials upstream_exponentials(double low, double high, double ratio) {
   add_panels(sum, low, low / 2, at_low);
   add_panels(sum, low, middle, at_low);
   add_panels(sum, high, middle, at_high);
-  add_panels(sum, high, high * 0x1p32, at_high);
+  add_panels(sum, high, high * 0x1p28, at_high);
   return sum;
 }
 
 Exponentials downstream_exponentials(double low, double high) {
   Exponentials sum;
-  add_panels(sum, 0, high * 0x1p32, low * 0x1p-20);
+  add_panels(sum, 0, high * 0x1p28, low * 0x1p-20);
   return sum;
 }
 
@@ -160,7 +160,7 @@ void next_octave(Eigen::ArrayXXd& powers, const Exponentials& of, const Eigen::A
   if (octave % 8 > 0)
     powers = powers.square();
   else
-    powers = (-u * z.matrix().transpose()).array().exp();
+    powers = (-u * z.matrix().transpose()).array().max(-50).exp();
 }
 
 void add_octave(PairTable& table, const Densities& up, const Densities& down) {
@@ -186,7 +186,7 @@ PairTable::PairTable(const Scene& pair, bool crossing)
   down = downstream_exponentials(low, high);
   up_density = densities(up, [&](double u) { return upstream(pair, u); });
   down_density = densities(down, [&](double u) { return downstream(pair, u); });
-  first = cell_of(0x1p-24 / high).number & ~1;
+  first = cell_of(0x1p-20 / high).number & ~1;
   Eigen::ArrayXd z(2 * cell_nodes);
   for (int i = 0; i < cell_nodes; ++i) {
     z(i) = place_in({first, cell_places()(i)});

@@ -133,7 +133,7 @@ Solution solve_without_slip(const Scene& scene, const Approach& approach, const 
 
 Scene directed(Scene scene, const Prescribed& given) {
   if (given.quantity == stick_slip_border) return scene;
-  const NoSlip rest = no_slip(scene);
+  const NoSlip rest = no_slip_near(scene, given);
   const double least = given.quantity == traction ? rest.traction : rest.creep;
   scene.direction = given.value < least ? Direction::braking : Direction::driving;
   return scene;
@@ -480,10 +480,11 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
     const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
     const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
-    const auto crossing = coupled ? crossing_flux(*coupled) : std::nullopt;
-    const SurfaceCurve found = surface_curve(flux, Conduction(x.scene, !crossing), s, tolerance);
+    const Conduction conduction(x.scene, !exchanges(x.scene, {flux.slip, flux.stick}));
+    const SurfaceCurve found = surface_curve(flux, conduction, s, tolerance);
     Eigen::ArrayXd all = share * found.temperature;
-    if (crossing) all += temperature_of(*crossing, x.scene.peclet, s, gauss_legendre(96));
+    for (const ExchangedFlux& e : coupled ? crossing_flux(*coupled) : std::vector<ExchangedFlux>{})
+      all += temperature_of(e, x.scene.peclet, s, gauss_legendre(96));
     for (Eigen::Index i = 0; i < s.size(); ++i)
       curve.points.push_back({s(i), all(i), share * found.error + flux_error});
   } else {

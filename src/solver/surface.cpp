@@ -96,7 +96,8 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Vecto
     const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
     if (step > 0) curvature = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
-    const double move = std::clamp(-slope / curvature, -0.3, 0.3), next = y + move;
+    const bool at_edge = 1 - y < 1e-12;
+    const double move = at_edge ? 0 : std::clamp(-slope / curvature, -0.3, 0.3), next = y + move;
     const bool known = step > 0 || near.value > 0;  // the curvature
     hottest = std::max(hottest, now.value);
     if ((known && std::abs(move) < 1e-5) || step == 60) {
@@ -148,7 +149,15 @@ SmoothFlux smooth_flux(const Carter& c) {
 }
 
 SmoothFlux smooth_flux(const CoupledSolution& x) {
-  return {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border), x.h};
+  return {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border),
+          without_ripples(x.scene, x.h)};
+}
+
+VectorXd without_ripples(const Scene& scene, const VectorXd& h) {
+  const double apart = scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
+  if (scene.bulk_difference == 0 || apart == 0 || h.size() <= 20) return h;
+  const ArrayXd degree = ArrayXd::LinSpaced(h.size(), 0, static_cast<double>(h.size() - 1));
+  return h.array() * (-36 * (degree / static_cast<double>(h.size())).pow(10)).exp();
 }
 
 /// Estimated error of all temperatures, of which the largest is top, from what eight more nodes

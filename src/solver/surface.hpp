@@ -50,6 +50,9 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Eigen
 SmoothFlux smooth_flux(const Carter& c);
 SmoothFlux smooth_flux(const CoupledSolution& x);
 
+/// The Legendre coefficients of h for temperatures; with a bulk difference they are filtered.
+Eigen::VectorXd without_ripples(const Scene& scene, const Eigen::VectorXd& h);
+
 /// T* at given points, and an estimate of the absolute error of each.
 struct SurfaceCurve {
   Eigen::ArrayXd temperature;

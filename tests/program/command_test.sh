@@ -246,10 +246,10 @@ JsonHasItsKeysInOrder() {
   answers solve "${paper_scene[@]}" "${published[@]}" --format json
   [ "$(keys)" = "$case $bounded $end" ] || fail "keys: $(keys)"
   answers solve "${paper_scene[@]}" --method closed-form --format json
-  [ "$(keys)" = "$case $bounded $end traction $bounded exchanged_heat $limits" ] || fail "keys: $(keys)"
+  [ "$(keys)" = "$case $bounded $end traction $bounded $crossing $limits" ] || fail "keys: $(keys)"
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   local errors=${physical#physical }
-  [ "$(keys)" = "$case $bounded $end traction $bounded exchanged_heat $limits $physical ${errors% error_estimate} notes" ] || fail "keys: $(keys)"
+  [ "$(keys)" = "$case $bounded $end traction $bounded $crossing $limits $physical ${errors% error_estimate} notes" ] || fail "keys: $(keys)"
   answers solve "${steel[@]}" --half-width 5.5e-3 "${published[@]}" --format json
   [ "$(keys)" = "$case $bounded $end $physical notes" ] || fail "keys: $(keys)"
 }
@@ -305,7 +305,7 @@ InsulatedRollersKeepTheirColumns() {
   answers solve "${paper_scene[@]}" --roller identical --format csv
   local new="roller direction heating_2 conductivity_ratio peclet_2 effusivity_ratio bulk_difference heat_1 heat_2 heat_partition"
   new="$new exchanged_heat no_slip_traction no_slip_creep edge_log_coefficient full_slip"
-  [ "$(columns | grep -vxFf insulated | paste -sd' ')" = "$new error_estimate.heat_1 error_estimate.heat_2 error_estimate.exchanged_heat" ] ||
+  [ "$(columns | grep -vxFf insulated | paste -sd' ')" = "$new error_estimate.heat_1 error_estimate.heat_2 error_estimate.exchanged_heat error_estimate.no_slip_traction error_estimate.no_slip_creep error_estimate.edge_log_coefficient" ] ||
     fail "$(columns)"
   [ "$(columns | grep -xFf insulated)" = "$(cat insulated)" ] || fail "another order: $(columns)"
 }
@@ -605,6 +605,12 @@ BulkDifference() {
   near "$(value exchanged_heat)" "$(calculate "0.2004185195 - 0.1750202899 / 2")" 2e-8
   [ "$(value heat_partition) $(value edge_log_coefficient)" = "null -0.0" ] || fail "$(cat out)"
   near "$(value no_slip_creep)" "$(calculate "0.6 * 0.01 * sqrt(100 / pi)")" 1e-3
+  local fine="$(value no_slip_traction)"
+  answers solve "${scene[@]}" --bulk-difference 0.01 --tolerance 1e-2 --format json
+  local rough="$(value no_slip_traction)"
+  [ "$rough" != "$fine" ] || fail "no rougher than asked for"
+  sed -i '1,/error_estimate/d' out
+  near "$rough" "$fine" "$(value no_slip_traction)"
   answers solve "${steel[@]}" --half-width 5.5e-3 --roller identical --bulk-temperature 20 \
     --bulk-temperature-2 120 --format json
   local unit=$(calculate "$(value max_temperature_celsius) / $(value max_temperature)")
@@ -1558,7 +1564,7 @@ BadCreepLaws() {
   refuses 2 "needs --half-width: from a radius it would differ along it" law "${wheel[@]:0:6}" "${wheel[@]:8}"
   refuses 2 "--peclet and --heating exclude data in SI units" law "${wheel[@]}" --peclet 100
   refuses 2 "peclet = -1 is not allowed" law --friction 0.6 --peclet -1
-  refuses 2 "unlike diffusivities" $law --heating 1 --roller conducting --conductivity-ratio 1 --heating-2 1 --peclet-2 50
+  refuses 2 "different bulk temperatures" $law --heating 1 --roller identical --bulk-difference 0.01
   refuses 1 "cannot write nowhere/law.c" $law --output nowhere/law.c
 }
 

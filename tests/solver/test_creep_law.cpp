@@ -84,6 +84,8 @@ TEST(CreepLaw, HoldsItsErrorsAtRandomCreeps) {
   EXPECT_LT(worst_error(hot(), 1e-6, 20), 1);
   EXPECT_LT(worst_error(identical, 1e-4, 20), 1);
   EXPECT_LT(worst_error({0.6, 100, 1}, 1e-4, 40), 1);
+  EXPECT_LT(worst_error({0.6, 100, 0.3, {2, 0.2, 20}}, 1e-4, 20), 1);
+  EXPECT_LT(worst_error({0.6, 2, 0.3, {0.5, 0.2, 8}}, 1e-4, 20), 1);
 }
 
 TEST(CreepLaw, StatesErrorsBelowTheTolerance) {
@@ -119,6 +121,21 @@ TEST(CreepLaw, IsCartersWithoutHeat) {
   // in full slip the heat is f v p, and v is the creep but for what strains and vanishes beside it
   const double near = evaluate(law, 1e8).value().temperature / 1e8;
   EXPECT_NEAR(evaluate(law, 1e10).value().temperature / 1e10, near, 1e-4 * near);
+}
+
+// Driving with bodies 1 and 2 is braking with 2 and 1, for any creep; the temperature is in the
+// unit of the other conductivity.
+TEST(CreepLaw, DrivingIsBrakingOfExchangedBodies) {
+  const CreepLaw law = law_of({0.6, 50, 0.3, {2, 0.2, 20}});
+  const CreepLaw other = law_of({0.6, 20, 0.2, {0.5, 0.3, 50}});
+  for (const double creep : {0.05, 0.2, 0.36, 0.5, 1.0, -0.1, -0.3, -0.7}) {
+    const LawValue x = evaluate(law, creep).value(), y = evaluate(other, -creep).value();
+    EXPECT_NEAR(x.traction, -y.traction, law.traction_error + other.traction_error);
+    EXPECT_NEAR(x.border, y.border, law.border_error + other.border_error);
+    const double beyond = std::max(1.0, std::abs(creep) / law.driving.unit_creep) + 1;
+    EXPECT_NEAR(2 * x.temperature, y.temperature,
+                (2 * law.temperature_error + other.temperature_error) * beyond);
+  }
 }
 
 TEST(CreepLaw, MirrorsItselfForIdenticalBodies) {
@@ -231,7 +248,9 @@ TEST(CreepLaw, RefusesWhatMakesNoSense) {
   EXPECT_THROW(law_of(steel(), 1e-4, 0), std::invalid_argument);
   EXPECT_THROW(law_of(steel(), 1e-4, std::nan("")), std::invalid_argument);
   EXPECT_THROW(law_of({-0.6, 100, 0}), std::invalid_argument);
-  EXPECT_THROW(law_of({0.6, 100, 1, {1, 1, 50}}), std::invalid_argument);
+  Scene warm{0.6, 100, 1, {1, 1}};
+  warm.bulk_difference = 0.01;
+  EXPECT_THROW(law_of(warm), std::invalid_argument);
 }
 
 }  // namespace

@@ -49,14 +49,14 @@ double transform(const PairTable& table, int remainder, double p, double reach) 
   return integrate([&](double z) { return table(z)(remainder) * std::exp(p * z); }, points).value;
 }
 
-// From 2^-24 / (2 Pe) of the faster body on the table is as good as its exponentials, which are
+// From 2^-20 / (2 Pe) of the faster body on the table is as good as its exponentials, which are
 // squared up to seven times: 2^7 epsilon each, and ten times that in their sum, are 3e-13 of the
 // largest values; ten times that is allowed.
 TEST(UnlikeBodies, TheTableIsItsExponentials) {
   std::mt19937 generator(3);
   for (const Scene& x : pairs()) {
     const PairTable table(x);
-    const double first = 0x1p-25 / std::max(x.peclet, x.roller.peclet);
+    const double first = 0x1p-21 / std::max(x.peclet, x.roller.peclet);
     const double rounding = 1e-14 * (x.heating + x.roller.heating + 1);
     Remainders scale = Remainders::Zero();
     for (double z = first; z < 4; z *= 2)
@@ -97,11 +97,10 @@ TEST(UnlikeBodies, BothBodiesAreEquallyHot) {
     const Conduction one(x), other(exchanged(x));
     const Eigen::ArrayXd zeta = Eigen::pow(10.0, Eigen::ArrayXd::LinSpaced(40, -6, 1.5));
     const auto a = at_distances(one, zeta), b = at_distances(other, zeta);
-    const Eigen::ArrayXd up = upstream_shares(one, zeta), other_up = upstream_shares(other, zeta);
+    const Eigen::ArrayXd up = upstream_shares(one, zeta), same = upstream_shares(other, zeta);
+    EXPECT_LT((up - same).abs().maxCoeff(), 1e-11);
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_NEAR(a[i].m_down, b[i].m_down, 1e-11 * a[i].m_down);
-      const auto k = static_cast<Eigen::Index>(i);
-      EXPECT_NEAR(up(k), other_up(k), 1e-11);
       EXPECT_NEAR(a[i].n1, b[i].n1, 1e-11);
       EXPECT_NEAR(a[i].n2_up, -b[i].n2_up, 1e-11 * (1 + std::abs(a[i].n2_up)));
       EXPECT_NEAR(a[i].n2_down, -b[i].n2_down, 1e-11 * (1 + std::abs(a[i].n2_down)));

@@ -95,7 +95,7 @@ struct TractionLimit {
 /// What crosses into the half-space besides its uniform share K1 / (K1 + K2) of the heat, and C of
 /// that flux, C / sqrt(1 + s), at the leading edge.
 struct CrossingHeat {
-  double heat, edge;
+  double heat, edge, heat_error = 0, edge_error = 0;  ///< estimated, absolute
 };
 
 /// A solution of the coupled problem; dimensionless.
@@ -117,10 +117,11 @@ struct CoupledSolution {
 };
 
 /// Traction and creep where nothing slips, with their signs: none but those of a bulk difference.
+/// Their errors are estimated, and below the tolerance times the creep if 160 nodes resolve them.
 struct NoSlip {
-  double traction = 0, creep = 0;
+  double traction = 0, creep = 0, traction_error = 0, creep_error = 0;
 };
-NoSlip no_slip(const Scene& scene);
+NoSlip no_slip(const Scene& scene, double tolerance = 1e-10);
 
 /// Put in the eccentricity and its error, which follow from gamma0 and kappa and theirs.
 void add_eccentricity(Results& value, Results& error);
