@@ -14,10 +14,8 @@ struct Panel {
   double axis;  // the paper's
 };
 
-const std::vector<Panel> panels{{"a", "0.2", 0.004},
-                                {"b", "0.4", 0.01},
-                                {"c", "0.5", 0.016},
-                                {"d", "0.59", 0.025}};
+const std::vector<Panel> panels{
+    {"a", "0.2", 0.004}, {"b", "0.4", 0.01}, {"c", "0.5", 0.016}, {"d", "0.59", 0.025}};
 
 Curve temperature(const Panel& panel, const std::string& method, const std::string& peclet) {
   return curve(data("temperatures"),
