@@ -86,8 +86,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
   const int cautious = crosses && digits > 4 ? 16 : 10;
   const int first = scene.law ? 12 : easy ? 6 : cautious;
-  for (int n = first; n <= 80 && (level.newton_steps == 0 || !level.violations.empty());
-       n *= 2) {
+  for (int n = first; n <= 80 && (level.newton_steps == 0 || !level.violations.empty()); n *= 2) {
     Results better = slope;
     tried = find_border(scene, formulation, n, given, level, better);
     if (tried.newton_steps > 0) {

@@ -464,10 +464,10 @@ TEST(HotFriction, MaximumOfTheCurve) {
   }
 }
 
-// Its maximum is a top of the curve that creeps give: solutions at a hundredth to either side of its
-// creep are lower, by the same to first order, and the parabola through them and its own creep has
-// the top there. The cubic term of the curve, of the order of the curvature itself, moves that top
-// by (1e-2)^2 and its height by a hundredth of the fall to either side. Three laws, and both
+// Its maximum is a top of the curve that creeps give: solutions at a hundredth to either side of
+// its creep are lower, by the same to first order, and the parabola through them and its own creep
+// has the top there. The cubic term of the curve, of the order of the curvature itself, moves that
+// top by (1e-2)^2 and its height by a hundredth of the fall to either side. Three laws, and both
 // places of a maximum: with a stick zone and, where friction is hardly lost, next to full slip.
 TEST(HotFriction, MaximumIsTheTopOfTheCreeps) {
   for (const FrictionLaw& law :
@@ -493,10 +493,10 @@ TEST(HotFriction, EstimatesHold) {
   for (const double peclet : {0.5, 30.0, 1000.0})
     for (const double heating : {1e-3, 0.1})
       for (const double softening : {0.7, 4.0})
-        for (const Prescribed& given : {Prescribed{Quantity::stick_slip_border, -0.4},
-                                        Prescribed{Quantity::creep, 0.3},
-                                        Prescribed{Quantity::traction, 0.25},
-                                        Prescribed{Quantity::traction, 0.25, Branch::falling}}) {
+        for (const Prescribed& given :
+             {Prescribed{Quantity::stick_slip_border, -0.4}, Prescribed{Quantity::creep, 0.3},
+              Prescribed{Quantity::traction, 0.25},
+              Prescribed{Quantity::traction, 0.25, Branch::falling}}) {
           const double scale = friction / (softening * std::sqrt(peclet));
           const Scene scene = hot(peclet, heating, exponential_friction({scale, 0.1}));
           const CoupledSolution x = solve(scene, given, 1e-6), y = solve(scene, given, 1e-9);
