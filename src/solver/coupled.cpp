@@ -17,7 +17,6 @@ namespace thermoroll {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
-using Eigen::Infinity;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using enum Quantity;
@@ -85,8 +84,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
   const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
   const int cautious = crosses && digits > 4 ? 16 : 10;
-  const int first = scene.law ? 12 : easy ? 6 : cautious;
-  for (int n = first; n <= 80 && (level.newton_steps == 0 || !level.violations.empty()); n *= 2) {
+  const int first = scene.law ? 12 : easy ? 6 : cautious, last = scene.law ? 96 : 80;
+  for (int n = first; n <= last && (level.newton_steps == 0 || !level.violations.empty()); n *= 2) {
     Results better = slope;
     tried = find_border(scene, formulation, n, given, level, better);
     if (tried.newton_steps > 0) {

@@ -95,6 +95,7 @@ bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
 double leeway(int n, double w) { return n == 64 && w < 1.5 ? 10 : 1; }
 
 constexpr const char* not_resolved = "the solution is not resolved";
+constexpr const char* not_asked = "no more was asked for";
 
 /// Why the curve does not go on to w; empty if it does. In that case near becomes the solution.
 std::string why_not(const HalfCurve& curve, double tolerance, double w, GridSolution& near) {
@@ -134,7 +135,7 @@ CurveEnd end_of(const HalfCurve& curve, double tolerance, double reach) {
     last = w;
     if (w == farthest) break;
   }
-  return {last, last < 2 ? "no more was asked for" : ""};
+  return {last, last < 2 ? not_asked : ""};
 }
 
 /// Errors of the stored functions: of Q*, of T* as a CreepLaw has it, and of c0.
@@ -279,6 +280,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   const double z = x.half.pieces.back().to;
   const double share = slips_partially(x.half.pieces.back()) ? std::min(z * z, 1.0) : 1 / (2 - z);
   x.half.last_creep = z < 2 ? x.half.unit_creep * share : std::numeric_limits<double>::infinity();
+  if (x.half.reason == not_asked) x.half.last_creep = std::max(x.half.last_creep, reach);
   return x;
 }
 

@@ -43,6 +43,18 @@ MatrixXd temperatures_further(const Conduction& c, const GradedArray& zeta,
   return m;
 }
 
+/// The strain of a pair has its share in the kernels.
+void apply_factors(ThermalTerms& thermal, const Scene& scene, Formulation formulation, double slip,
+                   bool is_pair) {
+  const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
+  const double strain = is_pair ? sign_of(scene.direction) : strain_share(scene);
+  const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
+  thermal.g = strength * slip * (strain * thermal.g / pi + in_n * thermal.f);
+  thermal.f *= -sign * strength * slip;
+  thermal.df *= -sign * strength;
+  thermal.temperature *= heat_share(scene) * slip * slip / pi;
+}
+
 }  // namespace
 
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
@@ -50,7 +62,6 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   const Index n = z.y.size(), m = z.d.size();
   const Conduction conduction(scene, !exchanges(scene, z.zones));
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
-  const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
   ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
   if (scene.law) thermal.temperature.setZero(n + m, terms);
   GradedRule graded;
@@ -87,12 +98,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
       thermal.temperature.bottomRows(m) =
           temperatures_further(conduction, graded.zeta, further) * heat;
   }
-  const double strain = conduction.pair ? sign_of(scene.direction) : strain_share(scene);
-  const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
-  thermal.g = strength * slip * (strain * thermal.g / pi + in_n * thermal.f);
-  thermal.f *= -sign * strength * slip;
-  thermal.df *= -sign * strength;
-  thermal.temperature *= heat_share(scene) * slip * slip / pi;
+  apply_factors(thermal, scene, formulation, slip, conduction.pair != nullptr);
   return thermal;
 }
 

@@ -1,4 +1,4 @@
-// Tangled from paper/21-hot-friction.md; edit there.
+// Tangled from paper/21-hot-friction.md, paper/F-data-files.md; edit there.
 #include <algorithm>
 #include <cmath>
 #include <utility>

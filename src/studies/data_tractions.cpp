@@ -7,10 +7,10 @@
 namespace thermoroll {
 namespace {
 
-void with_heat(std::ostream& out, const std::string& method, double load, Formulation sign,
+void with_heat(std::ostream& out, const std::string& method, double load, Formulation with,
                bool slip) {
   const Carter cold = paper::closed_form(load);
-  const Profile p = profile(paper::coupled(load, paper::peclet, sign));
+  const Profile p = profile(paper::coupled(load, paper::peclet, with));
   for (Eigen::Index i = 0; i < p.s.size(); ++i) {
     const double s = p.s(i), value = slip ? p.slip(i) : p.traction(i);
     const double without = slip ? carter_slip(cold, s) : carter_traction(cold, s);

@@ -1,4 +1,4 @@
-// Tangled from paper/18-what-heat-can-do.md; edit there.
+// Tangled from paper/18-what-heat-can-do.md, paper/F-data-files.md; edit there.
 #include <algorithm>
 #include <cmath>
 #include <random>

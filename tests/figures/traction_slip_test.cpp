@@ -100,7 +100,9 @@ TEST(TractionFigure, HeatChangesLittleAndTheGridSeesLittleOfThat) {
     EXPECT_TRUE(method != "cold" || change == 0) << s;
     if (method == "corrected" || method == "printed") {
       const double cold = table.number(row, "q") - change;
-      EXPECT_LE(cold, friction * pressure(s) + last_digit);
+      // The tenth digit of s tells at the edges, where the pressure is steep.
+      const double slack = last_digit / std::sqrt(std::max(1 - s * s, last_digit));
+      EXPECT_LE(cold, friction * pressure(s) + last_digit + slack);
       EXPECT_GE(cold, -last_digit);
       EXPECT_TRUE(std::abs(s - c0) < 0.02 || std::abs(change) < heat_strain) << s;
     }

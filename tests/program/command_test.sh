@@ -368,10 +368,14 @@ Laws() {
     cp out first
     answers solve --traction ${sign}0.39 "${scene[@]}" "${law[@]}" --branch rising
     cmp out first || fail "rising is not the default"
-    local limit at
+    local limit at error
     limit=$(value traction_limit) at=$(value creep_at_traction_limit)
+    error=$(sed -n 's/^ *"traction_limit": //p' out | tail -1 | tr -d ,)
     answers solve --traction ${sign}0.39 "${scene[@]}" "${law[@]}" --branch falling
-    [ "$(value branch) $(value traction_limit)" = "falling $limit" ] || fail "$(cat out)"
+    [ "$(value branch)" = falling ] || fail "$(cat out)"
+    # the maximum is found on the grids of the solution asked for; both are within their errors
+    near "$(value traction_limit)" "$limit" \
+      "$(calculate "$error + $(sed -n 's/^ *"traction_limit": //p' out | tail -1 | tr -d ,)")"
     falling=$(value creep)
     awk -v s="${sign}1" -v a="$rising" -v b="$at" -v c="$falling" -v q="$limit" \
       'BEGIN { exit !(0 < s * a && s * a < s * b && s * b < s * c && s * q > 0.39 && s * q < 0.6) }' ||

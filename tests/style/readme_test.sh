@@ -72,7 +72,7 @@ PictureIsCurrent() { # slow
   sed '$d' "$picture" >"$work/short.svg"
   ! same_picture "$work/short.svg" "$picture" || fail "a missing line was not found"
   ! same_picture "$picture" "$work/short.svg" || fail "a surplus line was not found"
-  sed 's/converged/other/' "$picture" >"$work/renamed.svg"
+  sed 's/coupled/other/' "$picture" >"$work/renamed.svg"
   ! same_picture "$work/renamed.svg" "$picture" || fail "another label was not found"
   sed "s/>0.2</>0.21</" "$picture" >"$work/renamed.svg"
   ! same_picture "$work/renamed.svg" "$picture" || fail "another number was not found"
