@@ -12,7 +12,7 @@
 namespace thermoroll {
 namespace {
 
-/// The creep at z, which has the sign of the creep, and back.
+/// The creep at z, which has the sign of the creep.
 double creep_at(const CreepLaw& law, double z) {
   const double size = std::abs(z), unit = (z < 0 ? law.braking : law.driving).unit_creep;
   return std::copysign(size <= 1 ? unit * size * size : unit / (2 - size), z);

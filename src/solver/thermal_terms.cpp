@@ -43,6 +43,23 @@ MatrixXd temperatures_further(const Conduction& c, const GradedArray& zeta,
   return m;
 }
 
+void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction& conduction,
+                     const Nodes& z, const GaussLegendre& rule) {
+  const Index m = z.d.size();
+  const double slip = z.zones.slip, peclet = conduction.peclet * slip;
+  const ArrayXd gap = z.d / slip, further = peclet * (gap - gap.minCoeff());
+  GradedRule graded;
+  grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
+  MatrixXd n1, n2;
+  kernels_further(conduction, graded.zeta, further, n1, n2);
+  const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, thermal.f.cols());
+  thermal.f.bottomRows(m).noalias() = n1 * heat;
+  thermal.g.bottomRows(m).noalias() = n2 * heat;
+  if (scene.law)
+    thermal.temperature.bottomRows(m) =
+        temperatures_further(conduction, graded.zeta, further) * heat;
+}
+
 /// The strain of a pair has its share in the kernels.
 void apply_factors(ThermalTerms& thermal, const Scene& scene, Formulation formulation, double slip,
                    bool is_pair) {
@@ -85,19 +102,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     thermal.temperature.row(n - 1 - i) += sums.row(6).cwiseProduct(mirror);
   }
   thermal.df += by_derivatives(by_dh);
-  if (m > 0) {
-    const ArrayXd gap = z.d / slip;
-    grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
-    const ArrayXd further = peclet * (gap - gap.minCoeff());
-    MatrixXd n1, n2;
-    kernels_further(conduction, graded.zeta, further, n1, n2);
-    const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, terms);
-    thermal.f.bottomRows(m).noalias() = n1 * heat;
-    thermal.g.bottomRows(m).noalias() = n2 * heat;
-    if (scene.law)
-      thermal.temperature.bottomRows(m) =
-          temperatures_further(conduction, graded.zeta, further) * heat;
-  }
+  if (m > 0) fill_stick_rows(thermal, scene, conduction, z, rule);
   apply_factors(thermal, scene, formulation, slip, conduction.pair != nullptr);
   return thermal;
 }
