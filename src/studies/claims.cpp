@@ -344,7 +344,7 @@ Claim on_tractions(const std::vector<PaperScene>& scenes) {
            " %, c0 by " + fixed(x.border, 4);
   };
   const std::string next = printed.traction > 0.01 ? "but for q* next to the border" : "";
-  return {"its effect on normal and tangential traction can be neglected",
+  return {"the effect of heat on normal and tangential traction can be neglected",
           "p. 2582",
           "yes",
           "–",

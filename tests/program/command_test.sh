@@ -342,7 +342,8 @@ TractionOfTheFriction() {
   local scene=(--friction 0.6 --peclet 100)
   refuses 2 "traction = 0.6 is the friction: the whole contact slips, and the creep is not determined; it is at least 0.3820" \
     solve --traction 0.6 "${scene[@]}"
-  refuses 2 "; it is at most -0.3820" solve --traction -0.6 "${scene[@]}"
+  refuses 2 "traction = -0.6 is the friction: the whole contact slips, and the creep is not determined; it is at most -0.3820" \
+    solve --traction -0.6 "${scene[@]}"
   refuses 2 "traction = 0.61 is not allowed: it must be between -0.6 and 0.6, the friction" \
     solve --traction 0.61 "${scene[@]}"
 }

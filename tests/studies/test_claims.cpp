@@ -174,7 +174,7 @@ double behind(const std::string& cell, const std::string& symbol) {
 // less than f H. A shift d of the border changes q*, which rises there from f p* like b sqrt(2 (c0
 // - s)/b) f 2/pi, by sqrt(2 d b) of its peak at most; 1 for what a shift leaves out.
 TEST(Claims, HeatChangesTheTractionsLittle) {
-  const Claim& claim = claim_on("effect on normal and tangential traction");
+  const Claim& claim = claim_on("on normal and tangential traction");
   for (const std::string& cell : {claim.converged, claim.corrected}) {
     const double border = behind(cell, "c0");
     EXPECT_GT(border, 0);
