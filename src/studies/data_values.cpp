@@ -34,8 +34,7 @@ void values_of_steel(nlohmann::ordered_json& v) {
 }
 
 CoupledSolution corrected(double q) {
-  const Scene scene = paper::scene(paper::peclet);
-  return solve_coupled(scene, Formulation::corrected, 1e-8, {Quantity::traction, q});
+  return paper::coupled(q, paper::peclet, Formulation::corrected);
 }
 
 void values_with_heat(nlohmann::ordered_json& v) {
@@ -143,7 +142,7 @@ void values_of_the_claims(nlohmann::ordered_json& v) {
   const PhysicalScene steel = wheel_on_rail();
   const double hottest = paper::coupled(0.59, 15000).value(Quantity::max_temperature);
   v["celsius_largest"] = fixed(hottest * celsius_per_unit(75), 0);
-  const Profile hot = profile(paper::coupled(0.5, paper::peclet, Formulation::corrected));
+  const Profile hot = profile(corrected(0.5));
   const Carter cold = paper::closed_form(0.5);
   const auto without = hot.s.unaryExpr([&](double s) { return carter_traction(cold, s); });
   const double largest = (hot.traction - without).abs().maxCoeff();
