@@ -137,7 +137,7 @@ figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
 data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
-timed_files := $(patsubst %,build/data/%.csv,times bars shares contact) build/data/speed.json
+timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
@@ -231,7 +231,7 @@ build/benches-built: build/built | build/release/with-bench
 
 build/thermoroll-bench: build/benches-built ;
 
-drawn_from_times := $(filter build/figures/cost.svg build/figures/speed-%,$(figure_files))
+drawn_from_times := $(filter build/figures/cost.svg build/figures/speed.svg build/figures/speed-%,$(figure_files))
 build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) \
     $(filter-out $(drawn_from_times),$(figure_files))
 	$(call step,timing the methods for half a minute)

@@ -122,37 +122,32 @@ label_family = 'set rmargin at screen 0.80; gap = 0.062*(y_max - y_min); do for 
   .'eval margin_label(k < 4 ? word(values, i) : "{/:Italic ".symbol."} = ".word(values, i), ' \
   .'STATS_max) }'
 
-# The figures of speed against accuracy: three panels, one quantity each, in each a curve of every
-# method and a point for what has no settings. The times are those of times.csv, beside the data.
+# The times of runs by name are those of times.csv, beside the data.
 read_times = "set table $times; plot system(sprintf(\"dirname '%s'\", data)).'/times.csv' " \
   ."using (stringcolumn(1).' '.stringcolumn(2)) with table; unset table; " \
   ."seconds(name) = sum [k = 1:|$times|] " \
   ."(word($times[k], 1) eq name ? real(word($times[k], 2)) : 0)"
-method = 1; setting = 2; quantity = 4
-of(name, what) = strcol(method) eq name && strcol(quantity) eq what ? column("error") : NaN
-only(value, x) = column(setting) == value ? x : NaN
+
+# The time of every run in a regime against its error: three panels side by side, one quantity each,
+# in each a curve of every method and a point for what has no settings.
+of(name, what) = strcol('method') eq name && strcol('quantity') eq what ? column("error") : NaN
 curve(name, title, i, mark) = sprintf("data using (of('%s', what)):(seconds(strcol('name'))) " \
-  ."with linespoints linetype %d dashtype solid pointtype %d pointsize 0.5 " \
-  ."title what.': %s', ", name, i, mark, title)
+  ."with linespoints linetype %d dashtype solid pointtype %d pointsize 0.4 " \
+  ."title what.': %s'", name, i, mark, title)
 dot(name, title, mark) = sprintf("data using (of('%s', what)):(seconds(strcol('name'))) " \
-  ."with points linetype 5 pointtype %d title what.': %s', ", name, mark, title)
-note(name, value, text, place) = sprintf("data using (only(%g, of('%s', what))): " \
-  ."(seconds(strcol('name'))):('%s') with labels %s title what.': label', ", \
-  value, name, text, place)
-panel(k, of_what, title) = sprintf("what = '%s'; set label 1 '%s' at graph 0, graph 1.07; ", \
+  ."with points linetype 5 pointtype %d title what.': %s'", name, mark, title)
+panel(k, of_what, title) = sprintf("what = '%s'; set label 1 '%s' at graph 0.5, graph 1.08 center; ", \
   of_what, title) \
-  .sprintf("set tmargin at screen %g; set bmargin at screen %g; ", 0.965 - k*0.32, 0.745 - k*0.32) \
-  ."plot ".notes.note('closed_form', 0, 'closed form', \
-    of_what eq 'temperature' ? 'left offset 0,-1' : 'left offset 0.7,0') \
-  .curve('gauss_chebyshev', 'published scheme', 3, 5) \
-  .curve('thrifty', 'cached', 4, 13).curve('moments', 'product integration', 2, 9) \
-  .curve('coupled', 'coupled', 1, 7).dot('first_order', 'one linear correction', 8) \
+  .sprintf("set lmargin at screen %g; set rmargin at screen %g; ", 0.11 + k*0.305, 0.365 + k*0.305) \
+  .(k == 0 ? '' : "set format y ''; ") \
+  .(k == 1 ? "set xlabel 'relative error' offset 0,0.9; " : "unset xlabel; ")."plot " \
+  .curve('gauss_chebyshev', 'published scheme', 3, 5).', ' \
+  .curve('thrifty', 'cached', 4, 13).', '.curve('moments', 'product integration', 2, 9).', ' \
+  .curve('coupled', 'coupled', 1, 7).', '.dot('first_order', 'first order', 8).', ' \
   .dot('closed_form', 'closed form', 4)
 speed_figure = "set logscale xy; set xrange [2:5e-12]; set yrange [4e-8:4]; " \
-  ."set xtics ('100 %%' 1, '1 %%' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6, '10^{−8}' 1e-8, " \
-  ."'10^{−10}' 1e-10); set ytics ('0.1 µs' 1e-7, '1 µs' 1e-6, '10 µs' 1e-5, '0.1 ms' 1e-4, " \
-  ."'1 ms' 1e-3, '10 ms' 1e-2, '0.1 s' 0.1, '1 s' 1); set lmargin at screen 0.14; " \
-  ."eval read_times; set multiplot; " \
-  ."eval panel(0, 'load', 'a. Thermal correction of the load, {/:Italic κ} − 1'); " \
-  ."eval panel(1, 'temperature', 'b. Largest temperature'); " \
-  ."set xlabel 'relative error' offset 0,0.6; eval panel(2, 'creep', 'c. Creep'); unset multiplot"
+  ."set xtics ('1' 1, '10^{−5}' 1e-5, '10^{−10}' 1e-10); " \
+  ."set ytics ('1 µs' 1e-6, '1 ms' 1e-3, '1 s' 1); eval read_times; set multiplot; " \
+  ."eval panel(0, 'load', '{/:Italic κ} − 1'); set ytics ('' 1e-6, '' 1e-3, '' 1); " \
+  ."eval panel(1, 'temperature', '{/:Italic T*}, largest'); " \
+  ."eval panel(2, 'creep', '{/:Italic ξ*}'); unset multiplot"

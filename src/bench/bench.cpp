@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <ctime>
+#include <fstream>
 #include <functional>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -206,6 +208,19 @@ void name_friction_law(const Scene& alone) {
   name_extension("friction_law/curve:100", scene, curve, pulls);
 }
 
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "an unknown processor";
+}
+
+void add_context() {
+  const unsigned count = std::thread::hardware_concurrency();
+  benchmark::AddCustomContext("processor", std::to_string(count) + " × " + processor());
+  benchmark::AddCustomContext("compiler", THERMOROLL_COMPILER);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -222,6 +237,7 @@ int main(int argc, char** argv) {
                                    {"part/hottest", &part_hottest}})
     benchmark::RegisterBenchmark(name, part)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("carter", carters_problem)->Unit(benchmark::kMicrosecond);
+  add_context();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

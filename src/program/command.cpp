@@ -250,7 +250,7 @@ void run_figure_data(const Options& o) {
                                 joined(names, ", "));
   std::ostringstream out;
   if (timed)
-    write_timed_data(o.name, read_times(o.times), out);
+    write_timed_data(o.name, read_benchmarks(o.times), out);
   else
     write_figure_data(o.name, out);
   deliver({{out.str(), o.output}});

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "solver/full_slip.hpp"
 
 namespace thermoroll {
 
+using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 using enum Quantity;
@@ -62,6 +64,44 @@ Factors without_edges(Factors at) {
   return at;
 }
 
+/// The nodes at which the flux has a maximum.
+std::vector<Index> flux_maxima(const ContactGrid& grid, const VectorXd& h) {
+  const ArrayXd& t = grid.nodes.t;
+  const ArrayXd flux = (t * (1 - t)).sqrt() * (grid.rules.slip.p * h).array();
+  const double ripple = 1e-6 * flux.maxCoeff();
+  std::vector<Index> maxima;
+  Index top = 0, bottom = -1;  // of the way up, or of the way down if there is one
+  for (Index i = 1; i < flux.size(); ++i) {
+    const bool up = bottom < 0;
+    if (up && flux[i] > flux[top]) top = i;
+    if (!up && flux[i] < flux[bottom]) bottom = i;
+    if (up && flux[i] < flux[top] - ripple) {
+      maxima.push_back(top);
+      bottom = i;
+    } else if (!up && flux[i] > flux[bottom] + ripple) {
+      top = i;
+      bottom = -1;
+    }
+  }
+  return maxima;
+}
+
+HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const HottestPoint& near) {
+  const Conduction conduction(grid.scene, !grid.crossing);
+  const VectorXd smooth = without_ripples(grid.scene, h), more = temperature_by_exchange(grid, h);
+  const auto climb = [&](const HottestPoint& from) {
+    return find_hottest(grid.nodes.zones.slip, conduction, smooth, from, grid.rules.fine, more);
+  };
+  HottestPoint top = climb(near);
+  const std::vector<Index> maxima = flux_maxima(grid, h);
+  for (std::size_t k = 0; k < maxima.size() && maxima.size() > 1; ++k) {
+    const double n = static_cast<double>(h.size());
+    const HottestPoint other = climb({grid.nodes.y[maxima[k]], 0, -n * n});
+    if (other.value > top.value * (1 + 1e-9)) top = other;
+  }
+  return top;
+}
+
 GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   const ZoneLengths& at = grid.nodes.zones;
   const Index n = grid.nodes.y.size();
@@ -70,9 +110,7 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.h = carter_h(grid);
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
-  const Conduction conduction(grid.scene, !grid.crossing);
-  found.peak = find_hottest(at.slip, conduction, without_ripples(grid.scene, found.h), from.peak,
-                            grid.rules.fine, temperature_by_exchange(grid, found.h));
+  found.peak = hottest_on(grid, found.h, from.peak);
   found.value = values_on_grid(grid, found);
   found.crossing = crossing_heat(grid, found);
   const Factors at_nodes = factors(grid, found.h);

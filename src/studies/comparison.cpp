@@ -9,6 +9,7 @@
 
 #include <gsl/gsl_sf_bessel.h>
 
+#include "solver/grid_solution.hpp"
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 #include "studies/cached_scheme.hpp"
@@ -56,8 +57,9 @@ Found corrected_once(const Scene& scene) {
 Found without_heat(const Scene& scene) { return {1, nan, carter(scene.friction, pull).creep}; }
 
 Found temperature_without_heat(const Scene& scene) {
-  const SmoothFlux flux = smooth_flux(carter(scene.friction, pull));
-  return {nan, hottest_point(flux, scene.peclet, 1e-9).temperature.value, nan};
+  const Carter cold = carter(scene.friction, pull);
+  const SmoothFlux flux = smooth_flux(cold);
+  return {1, hottest_point(flux, scene.peclet, 1e-9).temperature.value, cold.creep};
 }
 
 std::string where(const Scene& scene) {
@@ -96,6 +98,22 @@ std::vector<std::pair<Scene, Run>> cost_runs() {
         all.emplace_back(scene, coupled_run(scene, tolerance));
       }
   return all;
+}
+
+Found on_one_grid(const Regime& regime, int n) {
+  const Scene scene{paper::friction, regime.peclet, regime.heating};
+  const Prescribed given{Quantity::traction, pull};
+  const Carter cold = carter(scene.friction, pull);
+  Results slope = carter_slope(cold, Quantity::traction);
+  GridSolution x;
+  x.at = {2 * cold.slip_half_width, 2 * cold.b};
+  x = find_border(scene, sign, n, given, x, slope);
+  const auto step = [&] { return slope(Quantity::stick_slip_border) * residual(x, given); };
+  for (int k = 0; k < 4 && x.newton_steps > 0; ++k)
+    x = solve_on_grid(scene, sign, n, moved_by(x.at, step()), x);
+  if (x.newton_steps == 0) return {nan, nan, nan};
+  return {x.value(Quantity::load_ratio), x.value(Quantity::max_temperature),
+          x.value(Quantity::creep), n};
 }
 
 std::vector<Run> runs(const Regime& regime) {

@@ -50,6 +50,9 @@ struct Sample {
 /// Scenes of the ranges of @tbl:random-scenes; always the same.
 std::vector<Sample> random_scenes(int count);
 
+/// The coupled solver in a regime on one grid of n unknowns; NaN where it finds no solution.
+Found on_one_grid(const Regime& regime, int n);
+
 /// The reference of all methods: the coupled solver at its least tolerance.
 Found reference(const Regime& regime);
 

@@ -30,9 +30,30 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-void times_by_name(std::ostream& out, const Times& times) {
+double spread_of(const std::map<std::string, std::vector<double>>& all) {
+  std::vector<double> spreads;
+  for (const auto& [name, values] : all) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    spreads.push_back((*most - *least) / *least);
+  }
+  std::sort(spreads.begin(), spreads.end());
+  return spreads.empty() ? 0 : spreads[(spreads.size() - 1) * 9 / 10];
+}
+
+std::map<std::string, std::vector<double>> repetitions(const nlohmann::json& output) {
+  const std::map<std::string, double> seconds{{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
+  std::map<std::string, std::vector<double>> all;
+  for (const auto& run : output.at("benchmarks")) {
+    if (run.at("run_type") != "iteration" || run.value("error_occurred", false)) continue;
+    const double unit = seconds.at(run.at("time_unit").get<std::string>());
+    all[run.at("run_name")].push_back(unit * run.at("cpu_time").get<double>());
+  }
+  return all;
+}
+
+void times_by_name(std::ostream& out, const Benchmarks& run) {
   out << "name,seconds\n";
-  for (const auto& [name, time] : times) out << name << ',' << time << '\n';
+  for (const auto& [name, time] : run.times) out << name << ',' << time << '\n';
 }
 
 std::string duration(double seconds) {
@@ -42,10 +63,9 @@ std::string duration(double seconds) {
 
 std::string below(double error) { return error < 1e-13 ? "< $10^{-13}$" : scientific(error, 1); }
 
-struct Bar {
-  std::string key, claim;
-  double wanted, slow, fast;  // the ratio wanted, and the two times
-  double measured() const { return slow / fast; }
+struct Ratio {
+  std::string key;
+  double slow, fast;
 };
 
 double time_of(const Times& times, const std::string& name) {
@@ -63,33 +83,29 @@ std::string accurate_enough(const Regime& regime, const std::string& method, dou
   throw std::runtime_error(method + " never has the load to " + shortest(error));
 }
 
-std::vector<Bar> bars(const Times& times) {
+std::vector<Ratio> ratios(const Times& times) {
   const auto of = [&](const std::string& name) { return time_of(times, name); };
-  const std::string steel = "/Pe:4360/H:0.0175";
+  const std::string steel = "/Pe:4360/H:0.0175", to_6 = "coupled/tol:1e-06" + steel;
   const double scheme = of("gauss_chebyshev/n:200" + steel);
+  const double cached = of("gauss_chebyshev_thrifty/n:200" + steel);
   const double scheme_to_2 = of(accurate_enough(regimes[1], "gauss_chebyshev", 0.02));
   const double coupled_to_2 = of(accurate_enough(regimes[1], "coupled", 0.02));
   const double once_to_2 = of(accurate_enough(regimes[1], "first_order", 0.02));
-  return {{"6", "coupled to $10^{-6}$, steel", 200, scheme, of("coupled/tol:1e-06" + steel)},
-          {"8", "coupled to $10^{-8}$, steel", 50, scheme, of("coupled/tol:1e-08" + steel)},
-          {"load", "coupled, $\\kappa-1$ to 2 %, slow", 2000, scheme_to_2, coupled_to_2},
-          {"once", "one correction, $\\kappa-1$ to 2 %, slow", 2000, scheme_to_2, once_to_2},
-          {"curve", "temperature at 400 points, closed form", 50, scheme,
-           of("temperature_curve/points:400")},
-          {"curve_coupled", "temperature at 400 points, coupled", 50, scheme,
-           of("temperature_curve_coupled/points:400")}};
+  return {{"6", scheme, of(to_6)},
+          {"cached_6", cached, of(to_6)},
+          {"load", scheme_to_2, coupled_to_2},
+          {"once", scheme_to_2, once_to_2},
+          {"curve", scheme, of("temperature_curve/points:400")},
+          {"curve_coupled", scheme, of("temperature_curve_coupled/points:400")}};
 }
 
-void table_of_bars(std::ostream& out, const Times& times) {
-  out << "what is faster,published scheme,time,ratio,wanted,met\n";
-  for (const Bar& bar : bars(times))
-    out << '"' << bar.claim << "\"," << duration(bar.slow) << ',' << duration(bar.fast) << ','
-        << fixed(bar.measured(), 0) << ',' << fixed(bar.wanted, 0) << ','
-        << (bar.measured() >= bar.wanted ? "yes" : "no") << '\n';
+std::string to_two_digits(double ratio) {
+  const double unit = std::pow(10, std::floor(std::log10(ratio)) - 1);
+  return fixed(unit * std::round(ratio / unit), ratio < 10 ? 1 : 0);
 }
 
-void table_of_shares(std::ostream& out, const Times& times) {
-  const auto of = [&](const std::string& name) { return time_of(times, name); };
+void table_of_shares(std::ostream& out, const Benchmarks& run) {
+  const auto of = [&](const std::string& name) { return time_of(run.times, name); };
   const double whole = of("coupled/tol:1e-08/Pe:4360/H:0.0175");
   const double coarse = of("coupled/tol:1e-06/Pe:4360/H:0.0175");
   const double rays = of("part/rays"), sides = of("part/sides");
@@ -107,7 +123,7 @@ void table_of_shares(std::ostream& out, const Times& times) {
         << " %\n";
 }
 
-void carters_problem(std::ostream& out, const Times& times) {
+void carters_problem(std::ostream& out, const Benchmarks& run) {
   out << "program,cells or unknowns,force,creep,traction,time\n"
          "CONTACT,50,1.25 %,1.6 %,3.1 %,9 ms\n"
          "CONTACT,200,0.31 %,0.42 %,1.6 %,29 ms\n"
@@ -115,37 +131,45 @@ void carters_problem(std::ostream& out, const Times& times) {
          "CONTACT,1600,0.039 %,–,0.53 %,2920 ms\n";
   const CarterErrors x = carter_errors();
   out << "**coupled**," << x.unknowns << ',' << below(x.force) << ',' << below(x.creep) << ','
-      << below(x.traction) << ',' << duration(time_of(times, "carter")) << '\n';
+      << below(x.traction) << ',' << duration(time_of(run.times, "carter")) << '\n';
 }
 
-void times_in_prose(std::ostream& out, const Times& times) {
+void circumstances(nlohmann::ordered_json& v, const Benchmarks& run) {
+  v["speed_processor"] = run.processor;
+  v["speed_compiler"] = run.compiler;
+  v["speed_repetitions"] = std::to_string(run.repetitions);
+  v["speed_spread"] = fixed(100 * run.spread, 0);
+}
+
+void times_in_prose(std::ostream& out, const Benchmarks& run) {
   nlohmann::ordered_json v;
-  for (const Bar& bar : bars(times)) {
-    v["speed_ratio_" + bar.key] = fixed(bar.measured(), 0);
-    v["speed_time_" + bar.key] = duration(bar.fast);
-    v["speed_slow_" + bar.key] = duration(bar.slow);
+  circumstances(v, run);
+  for (const Ratio& ratio : ratios(run.times)) {
+    v["speed_ratio_" + ratio.key] = to_two_digits(ratio.slow / ratio.fast);
+    v["speed_time_" + ratio.key] = duration(ratio.fast);
+    v["speed_slow_" + ratio.key] = duration(ratio.slow);
   }
   const auto of = [&](const std::string& name) {
-    return time_of(times, name + "/Pe:4360/H:0.0175");
+    return time_of(run.times, name + "/Pe:4360/H:0.0175");
   };
   const double scheme = of("gauss_chebyshev/n:200"), thrifty = of("gauss_chebyshev_thrifty/n:200");
   for (const auto& [digits, tolerance] : {std::pair{"2", 0.01}, {"3", 1e-3}, {"6", 1e-6}}) {
-    const std::string run = "/tol:" + shortest(tolerance) + "/random:200";
-    const double saved = time_of(times, "coupled" + run) / time_of(times, "auto" + run);
+    const std::string scenes = "/tol:" + shortest(tolerance) + "/random:200";
+    const double saved =
+        time_of(run.times, "coupled" + scenes) / time_of(run.times, "auto" + scenes);
     v[std::string("least_saved_") + digits] = fixed(saved, 1);
   }
-  v["speed_digits"] = fixed(of("coupled/tol:1e-10") / of("coupled/tol:0.01"), 0);
+  v["speed_digits"] = to_two_digits(of("coupled/tol:1e-10") / of("coupled/tol:0.01"));
   v["speed_scheme"] = duration(scheme);
   v["speed_thrifty"] = duration(thrifty);
   v["speed_repeated"] = fixed(100 * (1 - thrifty / scheme), 0);
   out << v.dump(2) << '\n';
 }
 
-using TimedWriter = void (*)(std::ostream&, const Times&);
+using TimedWriter = void (*)(std::ostream&, const Benchmarks&);
 
 const std::vector<std::pair<std::string, TimedWriter>>& timed_writers() {
   static const std::vector<std::pair<std::string, TimedWriter>> table{{"times", times_by_name},
-                                                                      {"bars", table_of_bars},
                                                                       {"shares", table_of_shares},
                                                                       {"contact", carters_problem},
                                                                       {"speed", times_in_prose}};
@@ -154,18 +178,19 @@ const std::vector<std::pair<std::string, TimedWriter>>& timed_writers() {
 
 }  // namespace
 
-Times read_times(const std::string& path) try {
-  const std::map<std::string, double> seconds{{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
-  std::map<std::string, std::vector<double>> all;
+Benchmarks read_benchmarks(const std::string& path) try {
   const nlohmann::json output = read_json(path);
-  for (const auto& run : output.at("benchmarks")) {
-    if (run.at("run_type") != "iteration" || run.value("error_occurred", false)) continue;
-    const double unit = seconds.at(run.at("time_unit").get<std::string>());
-    all[run.at("run_name")].push_back(unit * run.at("cpu_time").get<double>());
+  auto all = repetitions(output);
+  Benchmarks found;
+  found.spread = spread_of(all);
+  for (auto& [name, values] : all) {
+    found.repetitions = std::max(found.repetitions, static_cast<int>(values.size()));
+    found.times[name] = median(values);
   }
-  Times times;
-  for (auto& [name, values] : all) times[name] = median(values);
-  return times;
+  const auto context = output.value("context", nlohmann::json::object());
+  found.processor = context.value("processor", "an unknown processor");
+  found.compiler = context.value("compiler", "an unknown compiler");
+  return found;
 } catch (const nlohmann::json::exception&) {
   throw std::runtime_error(path + " is not the output of thermoroll-bench: it has other contents");
 } catch (const std::exception& error) {
@@ -178,9 +203,9 @@ std::vector<std::string> timed_data_names() {
   return names;
 }
 
-void write_timed_data(const std::string& name, const Times& times, std::ostream& out) {
+void write_timed_data(const std::string& name, const Benchmarks& run, std::ostream& out) {
   for (const auto& [known, write] : timed_writers())
-    if (name == known) return write(out, times);
+    if (name == known) return write(out, run);
   throw std::invalid_argument("figure-data: unknown name " + name);
 }
 

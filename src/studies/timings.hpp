@@ -11,9 +11,18 @@ namespace thermoroll {
 /// Seconds of processor time by the name of a benchmark.
 using Times = std::map<std::string, double>;
 
+/// The times of one run of the benchmarks, each the median of its repetitions, and what they are
+/// worth: by how much most repetitions (nine of ten benchmarks) differ, relative to the median.
+struct Benchmarks {
+  Times times;
+  std::string processor{}, compiler{};
+  int repetitions = 0;
+  double spread = 0;
+};
+
 /// Read what thermoroll-bench --benchmark_format=json has written; the median of the repetitions
 /// of each benchmark. Throws std::runtime_error for a file that is not such.
-Times read_times(const std::string& path);
+Benchmarks read_benchmarks(const std::string& path);
 
 /// The names that write_timed_data knows.
 std::vector<std::string> timed_data_names();
@@ -21,6 +30,6 @@ std::vector<std::string> timed_data_names();
 /// Write what the report says of times under that name: CSV with a header line, but JSON for
 /// "speed". Throws std::invalid_argument for an unknown name, std::runtime_error for a time that
 /// is missing.
-void write_timed_data(const std::string& name, const Times& times, std::ostream& out);
+void write_timed_data(const std::string& name, const Benchmarks& run, std::ostream& out);
 
 }  // namespace thermoroll

@@ -511,6 +511,25 @@ TEST(Coupled, NoPointIsHotterThanTheHottest) {
   }
 }
 
+// Strong heat makes a layer at one end of the slip zone, with a maximum of the flux of its own, and
+// the temperature has two maxima: the climb from the grid before ends on the lower one.
+TEST(Coupled, HottestOfTwoMaximaIsFound) {
+  thermoroll::Scene pair{0.7918738536772086, 7449.649642864694, 2.9006428365839914};
+  pair.direction = thermoroll::Direction::braking;
+  pair.roller = {0.06414535157500909, 0.31119348618867464};
+  thermoroll::Scene alike{0.647206866845521, 16724.649331612665, 23.808010822931006};
+  alike.direction = thermoroll::Direction::braking;
+  alike.roller = {1, alike.heating};
+  for (const auto& [scene, c0] : {std::pair{pair, 0.26914439214229865}, {alike, 0.7278754076556548}}) {
+    const auto x = thermoroll::solve_coupled(scene, Formulation::corrected, 1e-5,
+                                             {Quantity::stick_slip_border, c0});
+    const double top = x.value(Quantity::max_temperature),
+                 hottest = thermoroll::profile(x).temperature.maxCoeff();
+    EXPECT_LE(hottest, top + 20 * x.error(Quantity::max_temperature)) << c0;
+    EXPECT_GT(hottest, 0.99 * top) << c0;
+  }
+}
+
 /// The largest true error, in units of its estimate, of what the solution reports. The finer
 /// solution's own error is allowed.
 double excess(const CoupledSolution& x, const CoupledSolution& finer) {
