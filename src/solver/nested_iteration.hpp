@@ -7,9 +7,9 @@
 #include "thermoroll/carter.hpp"
 #include "thermoroll/published_scheme.hpp"
 
-/// The iterations of the published scheme, for any Problem that has a scene and a traction, and for
-/// which solve_normal(problem, x), solve_stick(problem, x) and slip_velocity(problem, x) stand
-/// beside it.
+/// The iterations of the published scheme, for any Problem that has a scene and a traction, and
+/// that has the functions solve_normal(problem, x), solve_stick(problem, x) and
+/// slip_velocity(problem, x).
 namespace thermoroll {
 
 /// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in the solution.

@@ -21,10 +21,11 @@ struct Problem {
   double traction;
   Formulation formulation;
   MatrixXd cauchy;
-  double coincident;  // what stands for N* at a coincident node
+  double coincident;  // the value taken for N* at a coincident node
 };
 
-/// sigma_N f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is not hot.
+/// sigma_N f Pe H N1*(t_k - s_m) w_k v*(t_k), row m, column k; zero where the node k is in the
+/// stick zone.
 MatrixXd slope_matrix(const Problem& problem, const PublishedSolution& solution) {
   const double friction = problem.scene.friction, peclet = problem.scene.peclet;
   const double heating = problem.scene.heating;

@@ -188,7 +188,7 @@ Claim on_sliding() {
           "sec:claims-temperature"};
 }
 
-/// One number for each chart of a figure; those of ours are for scheme, printed and corrected sign.
+/// One number for each chart of a figure; ours are for scheme, printed and corrected sign.
 Claim figure_claim(const std::string& claim, const std::string& source, const Numbers& axes,
                    const std::array<Numbers, 3>& ours, int decimals) {
   bool holds = true;

@@ -12,14 +12,14 @@ struct Verdict {
   std::string words;
 };
 
-/// A statement of the paper beside what we find; all fields but the verdict are text for a table.
+/// A statement of the paper beside our values; all fields but the verdict are text for a table.
 struct Claim {
-  std::string claim;      ///< what the paper says
+  std::string claim;      ///< the statement of the paper
   std::string source;     ///< its page, figure or equation there
   std::string paper;      ///< its value
   std::string published;  ///< the published scheme's value, run again
   std::string converged;  ///< the converged value, with the sign as printed
-  std::string corrected;  ///< and with the corrected sign
+  std::string corrected;  ///< the same with the corrected sign
   Verdict verdict;
   std::string section;  ///< the label of the section of this report with the evidence
 };
@@ -38,17 +38,17 @@ Verdict verdict_on(const std::string& paper, double ours);
 /// "holds" or "does not hold"; what holds may have a restriction: "holds, by construction".
 Verdict verdict(bool holds, const std::string& restriction = "");
 
-/// The claim that an iteration on `unknown` took so many steps at most; found are those it takes.
+/// The claim that an iteration on `unknown` took so many steps at most; `found` has ours.
 Claim claim_on_steps(const std::string& unknown, int most, int found, bool converged);
 
-/// How the published scheme fares over the paper's sixteen scenes with 50 and with 200 nodes, run
-/// to 0.1 %.
+/// Steps and errors of the published scheme over the paper's sixteen scenes with 50 and with 200
+/// nodes, run to 0.1 %.
 struct Record {
   int inner = 0;            ///< the largest number of inner steps
   int outer = 0;            ///< the largest number of outer steps
-  bool converged = true;    ///< whether every run did
+  bool converged = true;    ///< whether every run converged
   double coarse_error = 0;  ///< the largest error of T*max with n = 50, in per cent
-  double fine_error = 0;    ///< and with n = 200
+  double fine_error = 0;    ///< the same with n = 200
 };
 Record scheme_record();
 
@@ -67,8 +67,8 @@ double first_order_gamma0(double q);
 /// Speed V = 2 k Pe / a of the wheel on the rail, m/s, at a Péclet number > 0.
 double speed_at(double pe);
 
-/// Degrees C that T* = 1 is worth for the wheel on the rail, at a speed in m/s and at a Péclet
-/// number, > 0.
+/// The temperature in degrees C of T* = 1 for the wheel on the rail, at a speed in m/s and at a
+/// Péclet number, > 0.
 double celsius_per_unit(double speed);
 double celsius_per_unit_at(double pe);
 

@@ -33,7 +33,7 @@ gsl_function wrapped(const Function& f) {
   return {call, const_cast<Function*>(&f)};
 }
 
-// From here on GSL reports errors by its return codes; both functions below check what they got.
+// From here on GSL reports errors by its return codes; both functions below check them.
 [[maybe_unused]] const auto abort_no_more = gsl_set_error_handler_off();
 
 }  // namespace

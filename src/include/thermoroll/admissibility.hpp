@@ -14,7 +14,7 @@ namespace thermoroll {
 struct Factors {
   double friction, border, load_ratio;  ///< f, c0, kappa
   Eigen::ArrayXd s, pressure, slip;
-  Eigen::ArrayXd phi{};  ///< of a law of friction; empty if that is constant
+  Eigen::ArrayXd phi{};  ///< of a law of friction; empty if friction is constant
 };
 
 /// A condition of @eq:admissible that fails: "separation" (p < 0), "backward slip" (v < 0),
@@ -25,10 +25,10 @@ struct Violation {
   double from, to;
 };
 
-/// What is violated, in that order; a NaN is a violation. Empty for a contact.
+/// The violated conditions, in that order; a NaN is a violation. Empty for a contact.
 std::vector<Violation> violations(const Factors& at);
 
-/// Whether both name the same conditions, wherever.
+/// Whether both name the same conditions, at whatever places.
 bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b);
 
 }  // namespace thermoroll

@@ -27,10 +27,10 @@ Eigen::MatrixXd cauchy_matrix(const Grid& g);
 struct PublishedOptions {
   int nodes = 200;               ///< n >= 3
   double tolerance = 1e-6;       ///< relative, of v* and of the traction
-  double heaviside_at_zero = 0;  ///< the value of H(0) at a coincident node
+  double heaviside_at_zero = 0;  ///< the value of Heaviside's step at a coincident node
   int max_outer = 200;           ///< bound on the outer steps
   int max_inner = 50;            ///< bound on the inner steps of each
-  int max_failures = 10;         ///< bound on the outer steps whose inner steps did not settle
+  int max_failures = 10;         ///< bound on the outer steps whose inner iteration failed
 };
 
 /// One step of the inner iteration: a border and the traction found there.
@@ -38,7 +38,7 @@ struct InnerStep {
   double c0, traction;
 };
 
-/// What the scheme computes; dimensionless. The scheme has no error estimate.
+/// The result of the scheme; dimensionless. The scheme has no error estimate.
 struct PublishedSolution {
   Grid grid;
   Eigen::VectorXd phi;        ///< factor of the pressure at t, @eq:factors
@@ -52,7 +52,7 @@ struct PublishedSolution {
   int outer_iterations = 0;
   int inner_iterations = 0;      ///< the largest count of any outer step
   std::vector<InnerStep> steps;  ///< of all outer steps
-  bool converged = false;        ///< whether both iterations settled
+  bool converged = false;        ///< whether both iterations converged
 };
 
 /// Run the scheme for a traction Q*, 0 < Q* < f. Throws std::invalid_argument for a scene, a
@@ -60,13 +60,14 @@ struct PublishedSolution {
 PublishedSolution solve_published(const Scene& scene, double traction, Formulation formulation,
                                   const PublishedOptions& options = {});
 
-/// w_k v*(t_k) at the hot nodes, those with t_k > c0, zero at the others.
+/// w_k v*(t_k) at the nodes of the slip zone, t_k > c0, zero at the others.
 Eigen::VectorXd hot_slip(const PublishedSolution& solution);
 
 /// The heat g_k at each node, @eq:node-heat; their sum is the integral of v* p*.
 Eigen::VectorXd node_heat(const PublishedSolution& solution);
 
-/// T*(s) by the paper's rule, @eq:published-temperature; s must not be a hot node.
+/// T*(s) by the paper's rule, @eq:published-temperature; s must not be a node of the
+/// slip zone.
 double published_temperature(const PublishedSolution& solution, double peclet, double s);
 
 /// The largest temperature at the collocation points, and where.

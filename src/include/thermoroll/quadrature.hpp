@@ -16,8 +16,8 @@ struct Estimate {
 /// at the points, which ascend strictly. Relative error below 1e-9 or std::runtime_error.
 Estimate integrate(const std::function<double(double)>& f, const std::vector<double>& points);
 
-/// Where f is least between low and high, with f(middle) below f at both; std::runtime_error
-/// if it is not. To about the square root of rounding error (Brent's method).
+/// The place of the minimum of f between low and high, with f(middle) below f at both;
+/// std::runtime_error if it is not. To about the square root of rounding error (Brent's method).
 double minimum(const std::function<double(double)>& f, double low, double middle, double high);
 
 }  // namespace thermoroll

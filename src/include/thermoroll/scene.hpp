@@ -28,7 +28,7 @@ struct Scene {
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
   Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct
   Direction direction = Direction::driving;
-  FrictionLaw law{};  ///< of friction by temperature (@sec:hot-friction); constant if empty
+  FrictionLaw law{};  ///< friction by temperature (@sec:hot-friction); constant if empty
   /// Theta, by how much a cylinder that conducts is warmer far away, in units of T*
   /// (@sec:exchange).
   double bulk_difference = 0;
@@ -59,8 +59,8 @@ bool is_unlike(const Scene& scene);
 double effusivity_ratio(const Scene& scene);
 double effusivity_share(const Scene& scene);
 
-/// A rolling contact in SI units (@tbl:steel). All fields positive, but the expansions,
-/// poisson, conductivity_2 and diffusivity_2 may be zero; poisson below 1/2.
+/// A rolling contact in SI units (@tbl:steel). All fields are positive, except that the expansions,
+/// poisson, conductivity_2 and diffusivity_2 may be zero; poisson is below 1/2.
 struct PhysicalScene {
   double load;                ///< P, load per unit length, N/m
   double speed;               ///< V, rolling speed, m/s
@@ -70,13 +70,13 @@ struct PhysicalScene {
   double expansion;           ///< alpha, thermal expansion of the half-space, 1/degree C
   double diffusivity;         ///< k, thermal diffusivity of the half-space, m^2/s
   double conductivity;        ///< K, thermal conductivity of the half-space, W/(m degree C)
-  double expansion_2 = 0;     ///< that of the cylinder, 1/degree C
-  double conductivity_2 = 0;  ///< that of the cylinder, W/(m degree C); 0 for an insulator
-  double diffusivity_2 = 0;   ///< that of the cylinder, m^2/s; 0 for that of the half-space
+  double expansion_2 = 0;     ///< of the cylinder, 1/degree C
+  double conductivity_2 = 0;  ///< of the cylinder, W/(m degree C); 0 for an insulator
+  double diffusivity_2 = 0;   ///< of the cylinder, m^2/s; 0 for that of the half-space
   Direction direction = Direction::driving;
   std::optional<double> bulk_temperature{};    ///< of the half-space far away, degree C
   std::optional<double> bulk_temperature_2{};  ///< of the cylinder, or that of the half-space
-  std::optional<LawOfFriction> law{};          ///< of friction by the rise over it, degree C
+  std::optional<LawOfFriction> law{};  ///< friction by the rise over bulk_temperature, degree C
 };
 
 /// The SI value of one dimensionless unit (@eq:scaled-variables, @eq:temperature-scale).
@@ -90,7 +90,7 @@ struct Units {
 /// The dimensionless groups of a scene, @eq:groups.
 Scene scene_of(const PhysicalScene& si, double friction);
 
-/// What one dimensionless unit is worth in this case.
+/// The SI values of the dimensionless units in this case.
 Units units_of(const PhysicalScene& si, double friction);
 
 /// Hertz's half-width a in m, @eq:kappa, from N/m, m, Pa; all positive.
@@ -99,7 +99,7 @@ double hertz_half_width(double load, double radius, double shear_modulus, double
 /// The wheel on its rail that the paper computes, @tbl:steel.
 PhysicalScene wheel_on_rail();
 
-/// Throw std::invalid_argument naming the value and what is allowed, unless the data make sense.
+/// Throw std::invalid_argument naming the value and the allowed range, unless the data are valid.
 void check(const Scene& scene);
 void check(const PhysicalScene& si);
 void check_but_half_width(const PhysicalScene& si);

@@ -24,8 +24,8 @@ Peak hottest_point(const HeatFlux& flux, double peclet);
 /// The integral of the flux, in units of v* p* times a length a.
 Estimate total_heat(const HeatFlux& flux);
 
-/// Heat of a contact with Hertz's pressure that slips everywhere alike, @eq:sliding; its total
-/// is heat >= 0.
+/// Heat flux of a contact with Hertz's pressure and uniform slip, @eq:sliding; its total is
+/// heat >= 0.
 HeatFlux sliding_flux(double heat);
 
 }  // namespace thermoroll
