@@ -13,6 +13,7 @@
 #include "solver/least_model.hpp"
 #include "solver/surface.hpp"
 #include "studies/cached_scheme.hpp"
+#include "studies/graded_panels.hpp"
 #include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/temperature.hpp"
@@ -37,6 +38,11 @@ Found as_described(const Scene& scene, int nodes) {
 Found cached(const Scene& scene, int nodes, NodeKernel kernel) {
   const PublishedSolution solution = solve_cached(scene, pull, sign, kernel, {nodes});
   return found(solution, cached_max_temperature(solution, scene.peclet, kernel));
+}
+
+Found on_panels(const Scene& scene, int nodes) {
+  const PanelSolution x = solve_on_panels(scene, pull, sign, nodes);
+  return {x.load_ratio, x.hottest, x.creep};
 }
 
 Found found(const CoupledSolution& x) {
@@ -132,6 +138,9 @@ std::vector<Run> runs(const Regime& regime) {
       all.push_back({method, static_cast<double>(n),
                      std::string("gauss_chebyshev_") + method + with,
                      [=, kernel = kernel] { return cached(scene, n, kernel); }});
+    if (n <= 400)
+      all.push_back({"graded_panels", static_cast<double>(n), "graded_panels" + with,
+                     [=] { return on_panels(scene, n); }});
   }
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11})
     all.push_back(coupled_run(scene, tolerance));

@@ -11,6 +11,7 @@ NamesAreThoseOfTheReport() {
   for name in closed_form temperature_curve/points:400 \
     gauss_chebyshev{,_thrifty,_moments}/n:{25,200,800}/Pe:{100,4360}/H:0.0175 \
     gauss_chebyshev{,_thrifty,_moments}/n:200/Pe:100/H:1 \
+    graded_panels/n:{25,200,400}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1} \
     coupled/tol:{0.01,1e-06,1e-08}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1} \
     {identical/tau:{0,-1},unlike/{share,bulk_difference}}/Pe:{100/H:1,4360/H:0.0175} \
     friction_law/{border,creep,traction,curve:100}/Pe:{100/H:1,4360/H:0.0175}; do
@@ -24,7 +25,7 @@ TimesCanBeRead() {
   "$bench" --benchmark_filter='^closed_form$|n:25/Pe:4360' --benchmark_min_time=0.001 \
     --benchmark_format=json >"$work/times.json" 2>/dev/null
   "$program" figure-data times --times "$work/times.json" --output "$work/times.csv"
-  [ "$(wc -l <"$work/times.csv")" = 5 ] || fail "$(cat "$work/times.csv")"
+  [ "$(wc -l <"$work/times.csv")" = 6 ] || fail "$(cat "$work/times.csv")"
   awk -F, 'NR > 1 && !($2 > 0 && $2 < 10) { exit 1 }' "$work/times.csv" || fail "$(cat "$work/times.csv")"
 }
 

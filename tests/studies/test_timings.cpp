@@ -12,6 +12,7 @@
 #include "driven.hpp"
 #include "solver/least_model.hpp"
 #include "studies/comparison.hpp"
+#include "studies/graded_panels.hpp"
 #include "studies/timings.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/published_scheme.hpp"
@@ -237,6 +238,11 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   EXPECT_NEAR(thrifty.hottest, described.hottest, 1e-12);
   const Found means = find(steel, "gauss_chebyshev_moments/n:25/Pe:4360/H:0.0175");
   EXPECT_GT(means.load_ratio - 1, 10 * (described.load_ratio - 1));
+  const auto panels = thermoroll::solve_on_panels({0.6, 4360, 0.0175}, 0.5, sign, 25);
+  const Found on_panels = find(steel, "graded_panels/n:25/Pe:4360/H:0.0175");
+  EXPECT_EQ(on_panels.load_ratio, panels.load_ratio);
+  EXPECT_EQ(on_panels.hottest, panels.hottest);
+  EXPECT_EQ(on_panels.creep, panels.creep);
 
   const auto corrected = thermoroll::first_order(scene, sign, 1e-6, scene);
   const Found once = find(steel, "first_order/Pe:4360/H:0.0175");
