@@ -29,8 +29,8 @@ Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   return value;
 }
 
-/// Legendre coefficients of it on the slip zone over the share of the half-space; none if nothing
-/// crosses that is solved for.
+/// Its Legendre coefficients on the slip zone, divided by the share of the half-space; none if no
+/// crossing heat is solved for.
 VectorXd temperature_by_exchange(const ContactGrid& grid, const VectorXd& h) {
   if (!grid.crossing && !grid.bulk) return {};
   const Index n = grid.nodes.y.size();
@@ -115,7 +115,7 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.crossing = crossing_heat(grid, found);
   const Factors at_nodes = factors(grid, found.h);
   found.violations = violations(found.crossing ? without_edges(at_nodes) : at_nodes);
-  if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
+  if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
   return found;
 }
 
@@ -154,7 +154,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     double step = slope(stick_slip_border) * residual(level, given);
     if (k > 0 && std::abs(step) <= near) return level;
     if (std::abs(step) < near) step = near;             // a second border, for the derivative
-    if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
+    if (!(room > 1e-15 && std::isfinite(step))) break;  // the border leaves the contact
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
   level.newton_steps = 0;
