@@ -89,14 +89,14 @@ std::vector<Index> flux_maxima(const ContactGrid& grid, const VectorXd& h) {
 HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const HottestPoint& near) {
   const Conduction conduction(grid.scene, !grid.crossing);
   const VectorXd smooth = without_ripples(grid.scene, h), more = temperature_by_exchange(grid, h);
-  const auto climb = [&](const HottestPoint& from) {
+  const auto search = [&](const HottestPoint& from) {
     return find_hottest(grid.nodes.zones.slip, conduction, smooth, from, grid.rules.fine, more);
   };
-  HottestPoint top = climb(near);
+  HottestPoint top = search(near);
   const std::vector<Index> maxima = flux_maxima(grid, h);
   for (std::size_t k = 0; k < maxima.size() && maxima.size() > 1; ++k) {
     const double n = static_cast<double>(h.size());
-    const HottestPoint other = climb({grid.nodes.y[maxima[k]], 0, -n * n});
+    const HottestPoint other = search({grid.nodes.y[maxima[k]], 0, -n * n});
     if (other.value > top.value * (1 + 1e-9)) top = other;
   }
   return top;
