@@ -233,7 +233,7 @@ int newton(const ContactGrid& grid, double share, VectorXd& h) {
     h -= change;
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
-    if (moved < 1e-10) return step;  // what is left is at most a thousandth of it
+    if (moved < 1e-10) return step;  // the remaining error is at most a thousandth of it
   }
   return 0;
 }
@@ -289,7 +289,7 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
     const ArrayXd to_slip = z.zones.slip * z.t + z.d(i);
     p(i) -= (over_root.head(n) * (f.head(n) - f(n + i)) / to_slip).sum();
     ArrayXd distance = z.d(i) - z.d;
-    distance(i) = 1;  // where nothing is divided, as f - f is 0
+    distance(i) = 1;  // any number: f - f is 0 there
     p(i) -= (over_root.tail(m) * (f.tail(m) - f(n + i)) / distance).sum();
     v(i) -= (z.over_w * (g - g(i)) / distance).sum();
   }

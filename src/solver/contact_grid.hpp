@@ -17,9 +17,9 @@
 namespace thermoroll {
 
 /// At the n slip nodes p-hat = p0 + p h and v-hat = v0 + v h; kappa h and gamma0 h are added to
-/// what they are without h. The matrices have n rows and a column for each term of h.
+/// their values without h. The matrices have n rows and a column for each term of h.
 struct TractionOperators {
-  Eigen::ArrayXd p0, v0;  // Hertz's 2 / pi and Carter's 2 f / pi, and what a bulk difference adds
+  Eigen::ArrayXd p0, v0;  // Hertz's 2 / pi and Carter's 2 f / pi, and the part of a bulk difference
   Eigen::MatrixXd p, v;
   Eigen::RowVectorXd kappa, gamma0;
 };
@@ -27,43 +27,42 @@ struct TractionOperators {
 /// These matrices on the nodes of a grid.
 TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal, double friction);
 
-/// The problem of a scene on a grid at a border: all that does not depend on the heat flux.
+/// The problem of a scene on a grid at a border: the parts that do not depend on the heat flux.
 struct ContactGrid {
   Scene scene;
   GridRules rules;
   Nodes nodes;
   ThermalTerms thermal;
   TractionOperators tractions;
-  std::optional<Exchange> crossing{};          // of the heat of friction, where it is solved for
-  std::shared_ptr<const BulkExchange> bulk{};  // by a bulk difference, if there is one
+  std::optional<Exchange> crossing{};          // of the heat of friction, if it is solved for
+  std::shared_ptr<const BulkExchange> bulk{};  // of a bulk difference, if there is one
   double creep = 0;                            // given in full slip only
-  std::optional<HotFriction> hot{};            // where friction depends on temperature
+  std::optional<HotFriction> hot{};            // if friction depends on temperature
 };
 
-/// By these rules, for an h of so many terms; or with n unknowns, and as many terms.
+/// With these rules, for an h of so many terms; or with n unknowns, and as many terms.
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          const GridRules& rules, Eigen::Index terms);
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          int n);
 
-/// What @eq:pressure-conditions and @eq:stick-conditions give for h: kappa, gamma0, C and Q*.
+/// The results of @eq:pressure-conditions and @eq:stick-conditions for h: kappa, gamma0, C, Q*.
 struct Resultants {
   double kappa, gamma0, constant, traction;
 };
 Resultants resultants(const ContactGrid& grid, const Eigen::VectorXd& h);
 
-/// Solve @eq:h at the given share of the heating from the start h; the number of steps, 0 if it
-/// fails.
+/// Solve @eq:h at the given share of H from the start h; the number of steps, 0 if it fails.
 int newton(const ContactGrid& grid, double share, Eigen::VectorXd& h);
 
 /// The Legendre coefficients of Carter's h, as many as the grid has slip nodes.
 Eigen::VectorXd carter_h(const ContactGrid& grid);
 
-/// Solve by Newton's method from h or, should that be no contact, by continuation in the heating
-/// from Carter's h; steps at the full heating, 0 if it fails.
+/// Solve by Newton's method from h or, if that root is inadmissible, by continuation in H from
+/// Carter's h; steps at the full H, 0 if it fails.
 int solve_flux(const ContactGrid& grid, Eigen::VectorXd& h);
 
-/// What the tractions are made of (@sec:admissibility), for an h: p-hat at all nodes; v-hat at the
+/// The factors of the tractions (@sec:admissibility) for an h: p-hat at all nodes; v-hat at the
 /// slip nodes, and on the stick zone the bracket of @eq:corrective-inverse. From s = -1 on: the
 /// stick nodes reversed, then the slip nodes.
 Factors factors(const ContactGrid& grid, const Eigen::VectorXd& h);

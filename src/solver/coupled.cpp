@@ -23,7 +23,7 @@ using enum Quantity;
 
 namespace {
 
-/// The error that the tail of h tells of, on a grid of n unknowns; slow where convergence is.
+/// The error estimated from the tail of h on a grid of n unknowns; slow if convergence is slow.
 double unresolved(double tail, int n, bool slow) {
   const double part = (n < 30 ? 20.0 : 10.0) / n / n;
   const bool early = n <= 100 && (slow || n >= 30);
@@ -32,13 +32,14 @@ double unresolved(double tail, int n, bool slow) {
   return tail * std::max(part, layer);
 }
 
-/// Strong heating, or a zone of less than a twentieth of the contact.
+/// Large f H, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
   const bool short_zone = at.stick > 0 && std::min(at.slip, at.stick) < 0.1;
   return scene.friction * heating_of_both(scene) > 1 || short_zone;
 }
 
-/// How much of a change since the last grid is believed to be the error of this one of n unknowns.
+/// The part of a change since the previous grid that is counted as the error of this one of n
+/// unknowns.
 double part_of_change(int n, bool slow) {
   if (n > 200) return 0.05;
   if (slow) return n < 30 ? 3 : 1;
@@ -46,7 +47,7 @@ double part_of_change(int n, bool slow) {
 }
 
 /// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
-/// the tail now and before, and the change since the last grid; slow where convergence is.
+/// the tail now and before, and the change since the previous grid; slow if convergence is slow.
 double estimate(const Results& change, double now, double before, int n, bool slow) {
   double integrals = 0;
   for (int i = 0; i + 1 < compared; ++i) integrals = std::max(integrals, change[i]);
@@ -70,9 +71,9 @@ bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const 
 }
 
 /// The solution on the first grid that has a contact, or else on the finest that has a border; the
-/// derivative of all quantities with respect to what is prescribed goes to slope. No newton_steps
-/// where a creep is one at which the whole contact slips; throws std::runtime_error where there is
-/// no border.
+/// derivative of all quantities with respect to the prescribed one goes to slope. No newton_steps
+/// if the whole contact slips at the prescribed creep; throws std::runtime_error if there is no
+/// border.
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
@@ -114,8 +115,8 @@ Results carried_over(const GridSolution& level, const Prescribed& given, const R
   return met;
 }
 
-/// The values of a solution so far, carried over to what is prescribed, the change since the grid
-/// before and the estimated error, both relative.
+/// The values of a solution so far, corrected for the prescribed quantity, the change since the
+/// previous grid and the estimated error, both relative.
 struct Refinement {
   Results value, change = Results::Zero();
   double error = 1;
@@ -313,7 +314,7 @@ HeatFlux coupled_flux(const CoupledSolution& x) {
           }};
 }
 
-/// What of it is solved for on a grid.
+/// The part of it that is solved for on a grid.
 std::vector<ExchangedFlux> crossing_flux(const ContactGrid& grid, const VectorXd& h) {
   std::vector<ExchangedFlux> all;
   if (grid.crossing) all.push_back(exchanged_flux(*grid.crossing, grid.nodes, h));
@@ -343,7 +344,7 @@ Profile profile(const CoupledSolution& x) {
   const Nodes& z = grid.nodes;
   const Index n = z.y.size(), m = z.d.size();
   const Factors at = factors(grid, x.h);
-  ArrayXd right(m + n);  // 1 - s, with its digits
+  ArrayXd right(m + n);  // 1 - s, with all its digits
   right << z.zones.slip + z.d.reverse(), z.zones.slip * (1 - z.t);
   Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, {}};
   profile.traction = x.scene.friction * profile.pressure;

@@ -16,11 +16,11 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
   const SlipPoint from(left, right);
   const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27);
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
-  const double k = std::log1p(right / delta);
-  const GradedArray power = k * rule.cube, grown = power.exp();
+  const double ell = std::log1p(right / delta);
+  const GradedArray power = ell * rule.cube, grown = power.exp();
   GradedArray step = delta * (grown - 1);
   for (Index i = 0; i < step.size() && power[i] < 0.1; ++i) step[i] = delta * std::expm1(power[i]);
-  const GradedArray dy = 1.5 * k * delta * rule.w * rule.rho.square() * grown;
+  const GradedArray dy = 1.5 * ell * delta * rule.w * rule.rho.square() * grown;
   graded.y = from.y + step;
   const GradedArray eta = left + step, rest = right - step;
   const GradedArray u = slip_cubic(eta), v = slip_cubic(rest), du = (3 + 12 * eta * rest) / 22;

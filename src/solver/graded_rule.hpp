@@ -22,7 +22,7 @@ using Sums = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_weigh
 
 struct GradedRule {
   GradedArray y, zeta, heat, by_h, by_dh;  // places, Pe (t - s), and the weights of @eq:ray-weights
-  /// Keep the first nodes, eight by eight, up to where zeta is by so much beyond the first.
+  /// Keep the first nodes, in groups of eight, up to a zeta that exceeds the first by so much.
   void cut(double reach) {
     const Eigen::Index heard = ((zeta < zeta[0] + reach).count() + 7) / 8 * 8;
     for (GradedArray* x : {&y, &zeta, &heat, &by_h, &by_dh})
@@ -37,7 +37,7 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
            const GaussLegendre& rule);
 
 /// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 with the heat of the mirrored
-/// rule; where there are seven columns M with the heat, and that of the mirrored rule. A row for
+/// rule; if there are seven columns, also M with the heat, and that of the mirrored rule. A row for
 /// each node.
 void kernel_weights(const Conduction& c, const GradedRule& graded, Eigen::Index columns,
                     KernelWeights& weights);

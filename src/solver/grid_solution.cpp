@@ -29,8 +29,8 @@ Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   return value;
 }
 
-/// Legendre coefficients of it on the slip zone over the share of the half-space; none if nothing
-/// crosses that is solved for.
+/// Its Legendre coefficients on the slip zone, divided by the share of the half-space; none if no
+/// crossing heat is solved for.
 VectorXd temperature_by_exchange(const ContactGrid& grid, const VectorXd& h) {
   if (!grid.crossing && !grid.bulk) return {};
   const Index n = grid.nodes.y.size();
@@ -89,14 +89,14 @@ std::vector<Index> flux_maxima(const ContactGrid& grid, const VectorXd& h) {
 HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const HottestPoint& near) {
   const Conduction conduction(grid.scene, !grid.crossing);
   const VectorXd smooth = without_ripples(grid.scene, h), more = temperature_by_exchange(grid, h);
-  const auto climb = [&](const HottestPoint& from) {
+  const auto search = [&](const HottestPoint& from) {
     return find_hottest(grid.nodes.zones.slip, conduction, smooth, from, grid.rules.fine, more);
   };
-  HottestPoint top = climb(near);
+  HottestPoint top = search(near);
   const std::vector<Index> maxima = flux_maxima(grid, h);
   for (std::size_t k = 0; k < maxima.size() && maxima.size() > 1; ++k) {
     const double n = static_cast<double>(h.size());
-    const HottestPoint other = climb({grid.nodes.y[maxima[k]], 0, -n * n});
+    const HottestPoint other = search({grid.nodes.y[maxima[k]], 0, -n * n});
     if (other.value > top.value * (1 + 1e-9)) top = other;
   }
   return top;
@@ -115,7 +115,7 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.crossing = crossing_heat(grid, found);
   const Factors at_nodes = factors(grid, found.h);
   found.violations = violations(found.crossing ? without_edges(at_nodes) : at_nodes);
-  if (!found.value.allFinite()) found.newton_steps = 0;  // at speeds beyond all measure
+  if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
   return found;
 }
 
@@ -154,7 +154,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     double step = slope(stick_slip_border) * residual(level, given);
     if (k > 0 && std::abs(step) <= near) return level;
     if (std::abs(step) < near) step = near;             // a second border, for the derivative
-    if (!(room > 1e-15 && std::isfinite(step))) break;  // it runs out of the contact
+    if (!(room > 1e-15 && std::isfinite(step))) break;  // the border leaves the contact
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
   level.newton_steps = 0;

@@ -17,10 +17,10 @@ struct GridSolution {
   ZoneLengths at{};  // without a stick zone in full slip
   Results value = Results::Zero();
   Eigen::VectorXd h{};                     // Legendre coefficients; none before the first grid
-  HottestPoint peak{};                     // the hottest point
-  int newton_steps = 0;                    // 0 where Newton failed
-  std::vector<Violation> violations{};     // where it is no contact
-  std::optional<CrossingHeat> crossing{};  // what crosses between both bodies, if solved for
+  HottestPoint peak{};                     // the hottest point of the surface
+  int newton_steps = 0;                    // 0 if Newton's method failed
+  std::vector<Violation> violations{};     // if it is not admissible
+  std::optional<CrossingHeat> crossing{};  // heat between both bodies, if solved for
 };
 
 /// Solve with n unknowns at a border, starting from a coarser grid's solution, or Carter's.
@@ -31,17 +31,17 @@ GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
 GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, int n, double creep,
                                  const GridSolution& from);
 
-/// What a solution misses of what is given; a border is measured from the nearer end.
+/// The residual of a solution for the given quantity; a border is measured from the nearer end.
 double residual(const GridSolution& x, const Prescribed& given);
 
 /// The border moved towards s = 1; the shorter zone keeps its digits.
 ZoneLengths moved_by(const ZoneLengths& zones, double step);
 
-/// The solution of n unknowns with next to no stick zone; no newton_steps where none is found.
+/// The solution of n unknowns with a nearly vanishing stick zone; no newton_steps if none is found.
 GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n);
 
 /// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
-/// slope, the derivative of all quantities with respect to it, is improved. No newton_steps where
+/// slope, the derivative of all quantities with respect to it, is improved. No newton_steps if
 /// no solution is found.
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope);
@@ -49,13 +49,13 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
 /// Size of the last quarter of the coefficients, relative to the largest.
 double tail(const Eigen::VectorXd& h);
 
-/// With a law of friction, the part of a change since the grid before that is counted as an error,
-/// by the coefficients of h on that grid and on this; and the unknowns of the next grid.
+/// With a law of friction, the part of a change since the previous grid that is counted as an
+/// error, by the coefficients of h on both grids; and the unknowns of the next grid.
 double part_with_law(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 bool decays_slowly(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 int unknowns_after(int n);
 
-/// The flux that crosses between both bodies in a solution, where it is solved for.
+/// The flux that crosses between both bodies in a solution, if it is solved for.
 std::vector<ExchangedFlux> crossing_flux(const CoupledSolution& x);
 
 /// That flux at every s in -1 < s < 1, in units of v* p*, of any two bodies that conduct.
@@ -65,7 +65,7 @@ Eigen::ArrayXd exchanged_heat_flux(const CoupledSolution& x, const Eigen::ArrayX
 using NextGrid = std::function<GridSolution(int n, const GridSolution& last)>;
 
 /// Refine a coarse solution, grid by grid, until the estimated error is below the tolerance; slope
-/// is the derivative of all quantities with respect to what is given. Throws NotResolved.
+/// is the derivative of all quantities with respect to the given one. Throws NotResolved.
 CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
                        const Prescribed& given, GridSolution level, Results& slope,
                        const NextGrid& next);

@@ -30,9 +30,9 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
     z.over_root(i) = 6 * at.u / std::sqrt(1 + 2 * at.u) * du;
   }
   const double fine = std::min(1.0, std::sqrt(zones.slip / zones.stick));
-  const double k = std::log1p(1 / fine);
-  const ArrayXd grown = (k * stick.rho).exp(), q = fine * (grown - 1);
-  const ArrayXd dq = fine * k / 2 * grown * stick.w;
+  const double ell = std::log1p(1 / fine);
+  const ArrayXd grown = (ell * stick.rho).exp(), q = fine * (grown - 1);
+  const ArrayXd dq = fine * ell / 2 * grown * stick.w;
   z.d = zones.stick * q.square() * (3 - 2 * q);
   z.over_w = 6 * dq / ((3 - 2 * q) * (1 + 2 * q)).sqrt();
   z.over_root.tail(m) = dq * 6 * q / (1 + 2 * q).sqrt();

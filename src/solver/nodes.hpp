@@ -16,7 +16,7 @@ struct ZoneLengths {
   double c0() const { return (stick - slip) / 2; }
 };
 
-/// The rule of n nodes or a few more, to be taken so many at a time.
+/// The rule of n nodes, rounded up to a multiple of the group.
 inline const GaussLegendre& rounded_up(int group, int n) {
   return gauss_legendre((n + group - 1) / group * group);
 }
@@ -30,8 +30,8 @@ inline double decades_shorter(const ZoneLengths& at) {
   return std::min(std::max(0.0, std::log10(at.stick / at.slip) - 2), 20.0);  // 0 for NaN
 }
 
-/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The fine grids
-/// are those of strong heating, which needs G as fine as h. Full slip has no stick zone.
+/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. Fine grids
+/// occur at large H, which needs G as fine as h. Full slip has no stick zone.
 inline int stick_nodes(int n, const ZoneLengths& at) {
   if (at.stick == 0) return 0;
   return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades_shorter(at));
@@ -42,7 +42,7 @@ inline int temperature_nodes(int n, double lambda) {
   return std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24;
 }
 
-/// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which strong heating
+/// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which large H
 /// needs as fine as h, and of those for temperatures.
 struct GridRules {
   explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1, int more = 0)
@@ -71,7 +71,7 @@ struct SlipPoint {
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
 
-/// t(b) - t(a) for b.y - a.y = step, without subtracting what is nearly equal.
+/// t(b) - t(a) for b.y - a.y = step, without subtracting nearly equal numbers.
 inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
   const double du = step * (15 - 4 * (a.y * a.y + a.y * b.y + b.y * b.y)) / 22;
   const bool left = a.u + b.u < 1;

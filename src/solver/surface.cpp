@@ -27,7 +27,7 @@ GradedArray temperature_kernel(const Conduction& c, double side, const GradedArr
   return m * (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
 }
 
-/// The sum of M times the heat, at a distance from the start of the graded.
+/// The sum of M times the heat, at a distance from the start of the graded rule.
 double temperature_sum(const Conduction& c, const GradedRule& graded, const GradedArray& heat,
                        double side, double distance) {
   if (side > 0 && distance * c.slowest > underflow_distance) return 0;
@@ -65,7 +65,7 @@ TemperatureAndSlope with_series(TemperatureAndSlope sum, double slip, double y,
   return sum;
 }
 
-/// The hottest point by temperatures alone, which are asked for by y.
+/// The hottest point by temperatures alone, as a function of y.
 template <class Temperature>
 HottestPoint search(const Temperature& temperature) {
   const auto value = [&](double y) { return std::abs(y) < 1 ? temperature(y).value : 0; };
@@ -160,8 +160,8 @@ VectorXd without_ripples(const Scene& scene, const VectorXd& h) {
   return h.array() * (-36 * (degree / static_cast<double>(h.size())).pow(10)).exp();
 }
 
-/// Estimated error of all temperatures, of which the largest is top, from what eight more nodes
-/// have changed at most.
+/// Estimated error of all temperatures, of which the largest is top, from the largest change by
+/// eight more nodes.
 double quadrature_error(int nodes, double change, double top) {
   return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }

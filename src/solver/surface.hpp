@@ -41,8 +41,8 @@ struct HottestPoint {
   double y = 0.43, value = 0, curvature = -3;  // curvature: the second derivative of ln T by y
 };
 
-/// Find it from near by, to about 1e-8 in y; a rule of a multiple of eight nodes. A Legendre series
-/// in y may be added to T*.
+/// Find it from a nearby start, to about 1e-8 in y; a rule of a multiple of eight nodes. A Legendre
+/// series in y may be added to T*.
 HottestPoint find_hottest(double slip, const Conduction& conduction, const Eigen::VectorXd& h,
                           const HottestPoint& near, const GaussLegendre& rule,
                           const Eigen::VectorXd& more = {});
@@ -60,7 +60,7 @@ struct SurfaceCurve {
 };
 
 /// T* on the surface at every s. The error estimate, to which that of the flux is to be added, is
-/// below tolerance >= 1e-12 times the largest T*, or what graded rules of 480 nodes leave.
+/// below tolerance >= 1e-12 times the largest T*, or the error of graded rules of 480 nodes.
 SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction,
                            const Eigen::ArrayXd& s, double tolerance);
 

@@ -15,7 +15,7 @@ using Eigen::RowVectorXd;
 
 namespace {
 
-/// N1 and N2 at the distances zeta (columns), and as much further (rows).
+/// N1 and N2 at the distances zeta (columns), increased by `further` (rows).
 void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd& further,
                      MatrixXd& n1, MatrixXd& n2) {
   n1.resize(further.size(), zeta.size());
@@ -30,7 +30,7 @@ void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd
   }
 }
 
-/// M at the distances zeta (columns), and as much further (rows).
+/// M at the distances zeta (columns), increased by `further` (rows).
 MatrixXd temperatures_further(const Conduction& c, const GradedArray& zeta,
                               const ArrayXd& further) {
   MatrixXd m(further.size(), zeta.size());
@@ -60,7 +60,7 @@ void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction
         temperatures_further(conduction, graded.zeta, further) * heat;
 }
 
-/// The strain of a pair has its share in the kernels.
+/// The kernels of two bodies contain the share of the strain.
 void apply_factors(ThermalTerms& thermal, const Scene& scene, Formulation formulation, double slip,
                    bool is_pair) {
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N

@@ -9,16 +9,16 @@
 
 namespace thermoroll {
 
-/// What a bulk difference adds to F, G, p-hat less 2 kappa / pi, and T* at the slip nodes, then the
-/// stick nodes, and to kappa and gamma0; empty without one.
+/// The contribution of a bulk difference to F, G, p-hat less 2 kappa / pi, and T* at the slip
+/// nodes, then the stick nodes, and to kappa and gamma0; empty without one.
 struct BulkTerms {
   Eigen::VectorXd f, g, pressure, temperature;
   double kappa = 0, gamma0 = 0;
 };
 
 /// F, dF/ds and G of @eq:thermal-sides at the slip nodes, then (but for dF/ds) the stick nodes, as
-/// matrices on the Legendre coefficients of h; and what does not depend on h. With a law of
-/// friction also T* at the slip nodes, then the stick nodes.
+/// matrices on the Legendre coefficients of h; and the part that does not depend on h. With a law
+/// of friction also T* at the slip nodes, then the stick nodes.
 struct ThermalTerms {
   Eigen::MatrixXd f, df, g;
   BulkTerms bulk{};

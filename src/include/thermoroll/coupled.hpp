@@ -16,7 +16,7 @@
 
 namespace thermoroll {
 
-/// What is known of a solved scene; dimensionless.
+/// The results of a solved scene; dimensionless.
 enum class Quantity {
   stick_slip_border,   ///< c0
   slip_length,         ///< 1 - c0, to its own digits
@@ -39,7 +39,7 @@ class Results : public Eigen::Array<double, 11, 1> {
   double& operator()(Quantity q) { return coeffRef(static_cast<Eigen::Index>(q)); }
 };
 
-/// How many of them, from the first on, a tolerance is for.
+/// The number of them, from the first on, that have a tolerance.
 inline constexpr int compared = static_cast<int>(Quantity::max_temperature_at);
 
 /// A quantity that is reported, its key in JSON and CSV, and its symbol.
@@ -59,28 +59,28 @@ inline constexpr Reported reported[] = {{Quantity::traction, "traction", "Q*"},
                                         {Quantity::max_temperature, "max_temperature", "T*max"},
                                         {Quantity::max_temperature_at, "max_temperature_at", "s"}};
 
-/// The two parts of a traction-creep curve with a maximum: before it, and beyond it.
+/// The two parts of a traction-creep curve with a maximum: before and beyond it.
 enum class Branch { rising, falling };
 
-/// What is prescribed beside f, Pe and H: traction, creep or border, and its value; where friction
-/// depends on temperature, a traction has a branch.
+/// The quantity prescribed beside f, Pe and H: traction, creep or border, and its value; if
+/// friction depends on temperature, a traction has a branch.
 struct Prescribed {
   Quantity quantity;
   double value;
   Branch branch = Branch::rising;
 };
 
-/// What a grid of n unknowns has found; change and estimate are relative, and not there for the
-/// grid on which the border was found. Where Newton's method failed there is none of the three.
+/// The results of a grid of n unknowns; change and estimate are relative, and absent for the grid
+/// on which the border was found. If Newton's method failed, all three are absent.
 struct GridStep {
   int unknowns;
   double border;     ///< c0
-  int newton_steps;  ///< 0 where Newton's method failed
+  int newton_steps;  ///< 0 if Newton's method failed
   /// tail: the last quarter of the coefficients of h, relative to the largest.
   std::optional<double> tail, change, estimate;
 };
 
-/// The tolerance is not met on the finest grid, or the estimate stays where it is.
+/// The tolerance is not met on the finest grid, or the estimate does not decrease.
 struct NotResolved : std::runtime_error {
   NotResolved(const std::string& message, std::vector<GridStep> steps)
       : std::runtime_error(message), trace(std::move(steps)) {}
@@ -92,51 +92,51 @@ struct TractionLimit {
   double traction, creep, traction_error, creep_error;
 };
 
-/// What crosses into the half-space besides its uniform share K1 / (K1 + K2) of the heat, and C of
-/// that flux, C / sqrt(1 + s), at the leading edge.
+/// The heat that crosses into the half-space besides its uniform share K1 / (K1 + K2), and the
+/// amplitude C of that flux, C / sqrt(1 + s), at the leading edge.
 struct CrossingHeat {
   double heat, edge, heat_error = 0, edge_error = 0;  ///< estimated, absolute
 };
 
 /// A solution of the coupled problem; dimensionless.
 struct CoupledSolution {
-  Scene scene;                        ///< whose heating acts on the tractions
-  Formulation formulation;            ///< the sign of that
+  Scene scene;                        ///< its H acts on the tractions
+  Formulation formulation;            ///< the sign of the thermal slope
   Results value;                      ///< by Quantity
   Results error;                      ///< estimated absolute errors
   int unknowns = 0;                   ///< n, values of h on the last grid
   int newton_steps = 0;               ///< on the last grid
   Eigen::VectorXd h;                  ///< n Legendre coefficients in y of h, @eq:h
-  std::vector<Violation> violations;  ///< why it is no contact; empty where it is one
-  std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for lesser models
-  /// Where friction depends on temperature and the traction is given: the largest traction, if
-  /// there is one, and the branch.
+  std::vector<Violation> violations;  ///< why it is inadmissible; else empty
+  std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for simpler models
+  /// If friction depends on temperature and the traction is given: the largest traction, if there
+  /// is one, and the branch.
   std::optional<TractionLimit> limit{};
   std::optional<Branch> branch{};
-  std::optional<CrossingHeat> crossing{};  ///< where it is solved for
+  std::optional<CrossingHeat> crossing{};  ///< if it is solved for
 };
 
-/// Traction and creep where nothing slips, with their signs: none but those of a bulk difference.
+/// Traction and creep without slip, with their signs: only those of a bulk difference.
 /// Their errors are estimated, and below the tolerance times the creep if 160 nodes resolve them.
 struct NoSlip {
   double traction = 0, creep = 0, traction_error = 0, creep_error = 0;
 };
 NoSlip no_slip(const Scene& scene, double tolerance = 1e-10);
 
-/// Put in the eccentricity and its error, which follow from gamma0 and kappa and theirs.
+/// Add the eccentricity and its error, which follow from gamma0 and kappa and their errors.
 void add_eccentricity(Results& value, Results& error);
 
-/// What the tolerance is relative to: creep, heat and temperature to themselves, others to one.
+/// The scales of the tolerance: creep, heat and temperature themselves, one for the others.
 Results scale_of(const Results& v);
 
-/// The quantities without heat, but for the temperature.
+/// The quantities without heat, except for the temperature.
 Results carter_values(const Carter& c);
 
 /// Their derivatives with respect to one of traction, creep and border, to about a thousandth.
 Results carter_slope(const Carter& c, Quantity by);
 
-/// What rounding of the given quantity changes in the others, at most, each relative to its scale;
-/// slope holds their derivatives with respect to it.
+/// The largest change of the other quantities by rounding of the given one, each relative to its
+/// scale; slope holds their derivatives with respect to it.
 double rounding(const Prescribed& given, const Results& slope, const Results& scale);
 
 /// Refuse, by std::invalid_argument, data out of range and a prescribed quantity that is not
@@ -144,16 +144,16 @@ double rounding(const Prescribed& given, const Results& slope, const Results& sc
 void check(double friction, const Prescribed& given);
 void check(const Scene& scene, const Prescribed& given);
 
-/// Carter's closed form for what is given; std::invalid_argument where check() refuses it, or
-/// the creep is one at which the whole contact slips.
+/// Carter's closed form for the given quantity; std::invalid_argument if check() refuses it, or the
+/// whole contact slips at the given creep.
 Carter carter_given(double friction, const Prescribed& given);
 
-/// Solve the coupled problem for what is given until the estimated error of every quantity is below
-/// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0, relative for
-/// creep_constant, creep, heat_integral and max_temperature; that of max_temperature_at is the
-/// length of the slip zone times the root of it. A creep at which the whole contact slips has the
-/// border -1. Throws std::invalid_argument for data out of range, std::runtime_error where no
-/// solution is found, NotResolved where the tolerance is not met.
+/// Solve the coupled problem for the given quantity until the estimated error of every quantity is
+/// below tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0,
+/// relative for creep_constant, creep, heat_integral and max_temperature; that of
+/// max_temperature_at is the length of the slip zone times the root of it. A creep at which the
+/// whole contact slips has the border -1. Throws std::invalid_argument for data out of range,
+/// std::runtime_error if no solution is found, NotResolved if the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
                               const Prescribed& given);
 
@@ -172,18 +172,18 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 /// The heat flux v* p* of a solution.
 HeatFlux coupled_flux(const CoupledSolution& x);
 
-/// What varies along the contact, at ascending s inside (-1, 1); dimensionless.
+/// Functions of the position along the contact, at ascending s inside (-1, 1); dimensionless.
 struct Profile {
   Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
   /// The fluxes into the half-space and into the cylinder, which add up to heat_flux; in profile()
-  /// of a Solution, empty where the cylinder is an insulator.
+  /// of a Solution, empty if the cylinder is an insulator.
   Eigen::ArrayXd heat_flux_1{}, heat_flux_2{};
 };
 
 /// The profiles of a solution, at the nodes of its last grid.
 Profile profile(const CoupledSolution& x);
 
-/// What the tractions and the heat are made of, as Legendre coefficients: h and p-hat in y on the
+/// The factors of the tractions and of the heat, as Legendre coefficients: h and p-hat in y on the
 /// slip zone; p-hat and the bracket of @eq:corrective-inverse on the stick zone, in the x of its
 /// nodes; and phi p-hat, which bounds the traction, on both zones, empty for constant friction.
 /// Dimensionless.
@@ -193,8 +193,8 @@ struct SmoothTractions {
   Eigen::VectorXd bound{}, stick_bound{};
 };
 
-/// Those of a solution, on a grid of n unknowns at its border; of a grid other than its own, those
-/// of the h solved for on that.
+/// The profiles of a solution on a grid of n unknowns at its border; on a grid other than its own,
+/// h is solved for on that grid.
 SmoothTractions smooth_tractions(const CoupledSolution& x, int n);
 
 }  // namespace thermoroll
