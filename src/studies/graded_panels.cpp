@@ -177,6 +177,7 @@ struct TractionsOnPanels {
   RowVectorXd kappa, gamma0;
 };
 
+/// Weights of ds / sqrt(1 - s^2) at the slip nodes, then the stick nodes.
 VectorXd over_root(const PanelZones& z) {
   VectorXd weight(z.hot.angle.size() + z.cold.angle.size());
   weight << z.hot.weight * (z.from_border / (z.stick + z.from_border)).sqrt(),
