@@ -25,7 +25,8 @@ using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 using ArrayX3d = Eigen::Array<double, Eigen::Dynamic, 3>;
 
-constexpr int per_panel = 5, near_nodes = 32;
+constexpr Index per_panel = 5;
+constexpr int near_nodes = 32;
 
 /// Panels between ascending ends, and their Gauss-Legendre nodes and weights.
 struct Panels {
@@ -91,6 +92,20 @@ ArrayX3d all_kernels(const ArrayXd& zeta) {
   return k;
 }
 
+/// Steps between near and far on one side of a target, and their weights.
+struct PanelSteps {
+  PanelSteps(double delta, double near, double far) {
+    const auto rho_at = [&](double away) { return std::pow(std::log1p(away / delta), 0.2); };
+    const GaussLegendre& rule = gauss_legendre(near_nodes);
+    const double first = rho_at(near), span = rho_at(far) - first;
+    const ArrayXd rho = first + span * rule.rho, fourth = rho.square().square();
+    const ArrayXd grown = (rho * fourth).exp();
+    step = delta * (grown - 1);
+    weight = 2.5 * delta * span * fourth * grown * rule.w;
+  }
+  ArrayXd step, weight;
+};
+
 double scale_of_steps(const PanelZones& z, double peclet, const PanelTarget& at) {
   const double lambda = peclet * z.slip, at_end = std::sqrt(1 / lambda + at.gap(z));
   return 6 * std::min(at_end, 1 / (lambda * std::sin(at.angle)));
@@ -112,16 +127,12 @@ void add_side(Eigen::Ref<ArrayX3d> moments, const PanelZones& z, double peclet,
               const PanelTarget& at, double side, double a, double b) {
   const double near = std::max(0.0, side > 0 ? a : -b), far = side > 0 ? b : -a;
   if (far <= 0) return;
-  const double delta = scale_of_steps(z, peclet, at);
-  const auto rho_at = [&](double step) { return std::pow(std::log1p(step / delta), 0.2); };
-  const GaussLegendre& rule = gauss_legendre(near_nodes);
-  const double first = rho_at(near), span = rho_at(far) - first;
-  const ArrayXd rho = first + span * rule.rho, fourth = rho.square().square();
-  const ArrayXd grown = (rho * fourth).exp(), step = side * delta * (grown - 1);
-  const ArrayXd weight = 2.5 * delta * span * fourth * grown * rule.w;
-  const ArrayX3d kernels = kernels_at_steps(z, peclet, at, step).colwise() * weight;
+  const PanelSteps steps(scale_of_steps(z, peclet, at), near, far);
+  const ArrayXd signed_steps = side * steps.step;
+  const ArrayX3d kernels = kernels_at_steps(z, peclet, at, signed_steps).colwise() * steps.weight;
   static const MatrixXd to_series = to_legendre(gauss_legendre(per_panel));
-  const MatrixXd polynomials = legendre((2 * step - a - b) / (b - a), per_panel) * to_series;
+  const MatrixXd polynomials =
+      legendre((2 * signed_steps - a - b) / (b - a), per_panel) * to_series;
   moments += (polynomials.transpose() * kernels.matrix()).array();
 }
 
@@ -166,6 +177,7 @@ struct TractionsOnPanels {
   RowVectorXd kappa, gamma0;
 };
 
+/// Weights of ds / sqrt(1 - s^2) at the slip nodes, then the stick nodes.
 VectorXd over_root(const PanelZones& z) {
   VectorXd weight(z.hot.angle.size() + z.cold.angle.size());
   weight << z.hot.weight * (z.from_border / (z.stick + z.from_border)).sqrt(),
@@ -177,8 +189,6 @@ VectorXd over_root(const PanelZones& z) {
 MatrixXd divided_differences(const PanelZones& z, const VectorXd& weight) {
   const Panels& hot = z.hot;
   const Index n = hot.angle.size(), m = z.cold.angle.size();
-  const GaussLegendre& rule = gauss_legendre(per_panel);
-  const MatrixXd slopes = by_derivatives(rule.p) * to_legendre(rule);
   MatrixXd sums(n, n + m);
   for (Index i = 0; i < n; ++i) {
     const ArrayXd before = (hot.angle - hot.angle(i)) / 2, middle = before + hot.angle(i);
@@ -187,6 +197,8 @@ MatrixXd divided_differences(const PanelZones& z, const VectorXd& weight) {
     sums.row(i) << (weight.head(n).array() / away).transpose(),
         (-weight.tail(m).array() / (z.from_border(i) + z.to_border)).transpose();
     sums(i, i) = -sums.row(i).sum();
+    const GaussLegendre& rule = gauss_legendre(per_panel);
+    static const MatrixXd slopes = by_derivatives(rule.p) * to_legendre(rule);
     const Index k = i / per_panel;
     const double ds = (hot.end(k + 1) - hot.end(k)) * z.slip * std::sin(hot.angle(i)) / 4;
     sums.row(i).segment(per_panel * k, per_panel) += weight(i) / ds * slopes.row(i % per_panel);
@@ -201,15 +213,14 @@ TractionsOnPanels tractions_on_panels(const HeatOnPanels& heat, const PanelZones
   VectorXd s(n + m);
   s << z.from_border, -z.to_border;
   s.array() += (z.stick - z.slip) / 2;
+  const RowVectorXd kappa = weight.cwiseProduct(s).transpose() * heat.f;
   MatrixXd sums(n, m);
   for (Index i = 0; i < n; ++i) sums.row(i) = z.cold.weight / (z.from_border(i) + z.to_border);
-  TractionsOnPanels x{-divided_differences(z, weight) * heat.f / pi,
-                      sums * heat.g.bottomRows(m) / pi, weight.cwiseProduct(s).transpose() * heat.f,
-                      weight.transpose() * heat.f / pi};
-  x.v -= sums.rowwise().sum().asDiagonal() * heat.g.topRows(n) / pi;
-  x.p.rowwise() += 2 / pi * x.kappa;
-  x.v.rowwise() += 2 * friction / pi * x.kappa;
-  return x;
+  MatrixXd p = -divided_differences(z, weight) * heat.f, v = sums * heat.g.bottomRows(m);
+  v -= sums.rowwise().sum().asDiagonal() * heat.g.topRows(n);
+  p.rowwise() += 2 * kappa;
+  v.rowwise() += 2 * friction * kappa;
+  return {p / pi, v / pi, kappa, weight.transpose() * heat.f / pi};
 }
 
 /// The values of h, NaN where the steps do not end.

@@ -192,6 +192,22 @@ TEST(Timings, SavedTimeIsTheRatioOfBothWays) {
     EXPECT_NE(text.find(saved), std::string::npos) << text;
 }
 
+// Of each method the fastest run that has the digits counts: another that is slower, or that is
+// faster and has them not, does not.
+TEST(Timings, PanelsAreComparedAtEqualError) {
+  Times times = every_run(1, 150);
+  for (const char* way : {"coupled", "auto"})
+    for (const char* tolerance : {"0.01", "0.001", "1e-06"})
+      times[std::string(way) + "/tol:" + tolerance + "/random:200"] = 1;
+  times.at("graded_panels/n:200/Pe:100/H:1") = 3e-3;
+  times.at("graded_panels/n:25/Pe:4360/H:0.0175") = 3e-3;
+  const std::string text = written("speed", times);
+  for (const char* ratio :
+       {R"("speed_panels_6_steel": "150.0")", R"("speed_panels_8_steel": "150.0")",
+        R"("speed_panels_6_hot": "3.0")", R"("speed_panels_8_hot": "3.0")"})
+    EXPECT_NE(text.find(ratio), std::string::npos) << text;
+}
+
 // The rest is what makes the parts up to the whole.
 TEST(Timings, SharesAddUpToTheWhole) {
   std::istringstream table(written("shares", every_run(150, 1)));
