@@ -8,7 +8,7 @@ set label 100 '{/:Italic Q*}/{/:Italic f}' at graph 0, graph 1.075 right offset 
 set xtics 0.5
 set ytics 0.2
 set label "Carter; with heat's distortion" at 1.98, 1.05 right
-set label 'two bodies of steel' at 1.98, 0.955 right
+set label 'two bodies of steel' at 1.98, 0.946 right
 set label 'one body takes all heat' at 1.98, 0.67 right
 set label 'friction falls with temperature,' at 0.62, 0.3
 set label 'none left at 1600 °C' at 0.62, 0.225

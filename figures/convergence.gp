@@ -18,13 +18,15 @@ panel(left, right, regime, title) = sprintf("set label 1 '%s' at graph 0, graph 
   .sprintf("set lmargin at screen %g; set rmargin at screen %g; plot ", left, right) \
   .curve(regime, 'thrifty', 'published scheme', 3, 5).', ' \
   .curve(regime, 'moments', 'product integration', 2, 9).', ' \
+  .curve(regime, 'graded_panels', 'graded panels', 6, 1).', ' \
   .curve(regime, 'coupled', 'coupled', 1, 7)
 set label 100 'correct digits' at screen 0.02, screen 0.965 left
 set multiplot
 set label 2 'coupled' at 28, 9.8 right
-set label 3 'product integration' at 990, 5.7 right
+set label 3 'product integration' at 990, 2.9 right
+set label 5 'graded panels' at 990, 7.4 right
 set label 4 'published scheme' at 990, 0.6 right
 eval panel(0.075, 0.515, 'steel', 'a. Pe = 4360, {/:Italic H} = 0.0175')
-unset label 2; unset label 3; unset label 4; unset label 100
+unset label 2; unset label 3; unset label 4; unset label 5; unset label 100
 eval panel(0.56, 0.985, 'hot', 'b. Pe = 100, {/:Italic H} = 1')
 unset multiplot

@@ -143,7 +143,8 @@ panel(k, of_what, title) = sprintf("what = '%s'; set label 1 '%s' at graph 0.5, 
   .(k == 1 ? "set xlabel 'relative error' offset 0,0.9; " : "unset xlabel; ")."plot " \
   .curve('gauss_chebyshev', 'published scheme', 3, 5).', ' \
   .curve('thrifty', 'cached', 4, 13).', '.curve('moments', 'product integration', 2, 9).', ' \
-  .curve('coupled', 'coupled', 1, 7).', '.dot('first_order', 'first order', 8).', ' \
+  .curve('graded_panels', 'graded panels', 6, 1).', '.curve('coupled', 'coupled', 1, 7).', ' \
+  .dot('first_order', 'first order', 8).', ' \
   .dot('closed_form', 'closed form', 4)
 speed_figure = "set logscale xy; set xrange [2:5e-12]; set yrange [4e-8:4]; " \
   ."set xtics ('1' 1, '10^{−5}' 1e-5, '10^{−10}' 1e-10); " \

@@ -45,7 +45,8 @@ std::vector<Tic> tics(const Picture& picture, int panel, char axis) {
   std::vector<Tic> result;
   for (std::size_t i = 1; i < picture.items.size(); ++i) {
     const Item& label = picture.items[i];
-    if (!is_tic(label) || label.panel != panel || label.anchor != anchor) continue;
+    if (!is_tic(label) || label.what.empty()) continue;
+    if (label.panel != panel || label.anchor != anchor) continue;
     const Place line = picture.items[i - 1].points.at(0);
     result.push_back({value_of(label.what), axis == 'x' ? line.x : line.y});
   }
@@ -56,7 +57,9 @@ Axis read_axis(const Picture& picture, int panel, const Row& row, double first, 
                Wrong& wrong) {
   const double from = std::stod(row.at("from")), to = std::stod(row.at("to"));
   const bool logarithmic = row.at("scale") == "log";
+  // Without tics, as beside a panel that has them, the curves alone tell whether it is so.
   if (row.at("scale") == "bare") return through({from, first}, {to, last}, false);
+  if (row.at("scale") == "bare log") return through({from, first}, {to, last}, true);
   const std::string name = row.at("axis") + " axis";
   std::vector<Tic> found = tics(picture, panel, row.at("axis")[0]);
   if (found.size() < 2) throw std::runtime_error(name + ": no tics");

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "maps.hpp"
+#include "points.hpp"
 
 namespace thermoroll_test {
 
@@ -106,6 +107,15 @@ void check_name(const Picture& picture, const Label& label, int plot, const Pane
   }
 }
 
+/// The number in it is the ratio of the times of two runs, to two digits.
+void check_ratio(const Label& label, Wrong& wrong) {
+  const auto names = split(label.row.at("of"), ' ');
+  const double ratio = seconds_of(names.at(0)) / seconds_of(names.at(1));
+  const std::size_t digit = label.text.what.find_first_of("0123456789");
+  const double told = digit == std::string::npos ? 0 : std::stod(label.text.what.substr(digit));
+  if (!(std::abs(told / ratio - 1) < 0.051)) wrong.push_back("'" + label.text.what + "' is wrong");
+}
+
 /// The lines of no other level are nearer.
 void check_level(const Label& label, const Grid& grid, const std::string& levels, Wrong& wrong) {
   const Box box = box_of(label.text);
@@ -153,6 +163,8 @@ void check_labels(const Picture& picture, const Panel& panel, const std::vector<
       check_key(picture, label, plots.at(of), wrong);
     else if (is == "level")
       check_level(label, grid_of(expected(table, *contour, panel)), contour->at("levels"), wrong);
+    else if (is == "ratio")
+      check_ratio(label, wrong);
     else if (is == "x" || is == "y" || is == "heading" || is == "colour")
       check_place(label, panel, wrong);
     else if (is != "cells" && is != "text" && !is.empty())  // these are looked at with their curve

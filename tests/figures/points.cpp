@@ -8,6 +8,13 @@
 
 namespace thermoroll_test {
 
+double seconds_of(const std::string& name) {
+  static const Table times = data("times");
+  for (std::size_t i = 0; i < times.rows.size(); ++i)
+    if (times.text(i, "name") == name) return times.number(i, "seconds");
+  return 0;  // as in the scripts: nothing to be drawn on a logarithmic axis
+}
+
 namespace {
 
 /// What the formulas as printed should lose, @eq:digits-lost.
@@ -16,13 +23,6 @@ double law(const std::string& name, double zeta) {
   if (name == "law near") return std::log10(1 / (zeta * std::log(2 / zeta)));
   if (name == "law far") return std::log10(std::sqrt(pi / 2 * zeta));
   throw std::runtime_error("curves.csv: no " + name);
-}
-
-double seconds_of(const std::string& name) {
-  static const Table times = data("times");
-  for (std::size_t i = 0; i < times.rows.size(); ++i)
-    if (times.text(i, "name") == name) return times.number(i, "seconds");
-  return 0;  // as in the scripts: nothing to be drawn on a logarithmic axis
 }
 
 /// A column, a column times a factor, its logarithm, a time or a law.
@@ -35,13 +35,25 @@ double quantity(const Table& table, std::size_t row, const std::string& what) {
   return std::stod(what.substr(0, times)) * table.number(row, what.substr(times + 1));
 }
 
+/// Whether no other run of its method has more digits and takes no longer.
+bool is_best(const Table& table, std::size_t row) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    if (table.text(i, "method") == table.text(row, "method") &&
+        table.number(i, "digits") > table.number(row, "digits") + 1e-4 &&
+        seconds_of(table.text(i, "name")) <= seconds_of(table.text(row, "name")))
+      return false;
+  return true;
+}
+
 /// Whether a row is one of those meant: every condition holds, as "method=printed" or "zeta>3".
 bool meant(const Table& table, std::size_t row, const std::string& where) {
   for (const std::string& condition : split(where, ';')) {
     const std::size_t sign = condition.find_first_of("=<>");
     const std::string name = condition.substr(0, sign), value = condition.substr(sign + 1);
     bool holds = false;
-    if (name == "every")
+    if (name == "best")
+      holds = is_best(table, row);
+    else if (name == "every")
       holds = row % std::stoul(value) == 0;
     else if (condition[sign] == '=')
       holds = table.text(row, name) == value;

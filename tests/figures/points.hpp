@@ -13,6 +13,9 @@ struct Datum {
   double z;     ///< the third column, where there is one
 };
 
+/// The time of a run in the data of the benchmarks, 0 if it has none.
+double seconds_of(const std::string& name);
+
 /// The points that a row of curves.csv says a curve must show. Columns may be lists of numbers:
 /// points that no data have.
 std::vector<Datum> expected(const Table& table, const Row& curve, const Panel& panel);
