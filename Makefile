@@ -1,6 +1,6 @@
 # thermoroll: from the chapters in paper/ to the program, the data, the figures and the report.
 # `make help` lists the goals. Everything generated is in build/, but for src/, which is tangled and
-# committed, figures/golden/, which only `make golden` writes, and figures/measured/, `make sweep-bench`'s.
+# committed, figures/golden/, which only `make golden` writes, and figures/measured/, that of `make study`, `make soak` and `make sweep-bench`.
 
 MAKEFLAGS += --no-builtin-rules
 .DELETE_ON_ERROR:
@@ -136,12 +136,13 @@ sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
-data_files := $(patsubst %,build/data/%.csv,$(figures) $(tables)) build/data/values.json
+data_files := $(patsubst %,build/data/%.csv,$(filter-out estimates,$(figures)) $(tables)) build/data/values.json
+study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) build/benches-built \
+steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) $(study_files) build/benches-built \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -163,7 +164,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all where data figures report draft reproduce check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz sweep-bench install clean help
+.PHONY: all where data figures report draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -176,13 +177,17 @@ reproduce: build/data/claims.txt build/report.html build/paper.html
 	@echo "The report is build/report.html, its short version build/paper.html"
 
 ## data: compute every table
-data: $(data_files) $(timed_files)
+data: $(data_files) $(study_files) $(timed_files)
 
 ## figures: draw every figure
 figures: $(figure_files)
 
 ## report: write build/report.html, and its short version without code, build/paper.html
 report: build/report.html build/paper.html
+
+## verify: make the report once more in another folder, locale and time zone, and compare every byte
+verify: build/report.html build/paper.html
+	@bash tests/verify.sh $(packages_for_reproduce)
 
 # --- Program --------------------------------------------------------------------------------------
 
@@ -221,6 +226,10 @@ build/thermoroll: build/built ;
 $(data_files): build/thermoroll | build/data
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
+
+$(study_files): figures/measured/study.csv build/thermoroll | build/data
+	$(call step,computing $@)
+	@build/thermoroll figure-data $(basename $(@F)) --study $< --output $@
 
 # Nothing else is computed while the benchmarks run, and they run again only when they are others.
 build/benches-built: build/built | build/release/with-bench
@@ -268,7 +277,7 @@ weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --m
   --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(study_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
 	@mv $@.tmp $@
@@ -380,6 +389,13 @@ fuzz: | build
 	@$(compile) build/fuzz --target $(addprefix fuzz-,$(fuzz_targets))
 	@bash tests/fuzz/run.sh $(or $(MINUTES),4) $(CMAKE_BUILD_PARALLEL_LEVEL) $(fuzz_targets)
 
+STUDY_SCENES ?= 10000
+## study: compare stated with true errors in STUDY_SCENES random scenes, for chapter 13 (minutes)
+study: build/benches-built
+	@$(compile) build/release --target thermoroll-study
+	@build/release/thermoroll-study $(STUDY_SCENES) >build/study.csv
+	@mv build/study.csv figures/measured/study.csv
+
 ## bench: how long the solvers take
 bench: build/thermoroll-bench
 	@build/thermoroll-bench --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
@@ -391,7 +407,7 @@ sweep-bench: build/thermoroll
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
 
 ## golden: take today's data and figures as the golden ones of the tests, and the README's picture
-golden: $(data_files) $(filter-out $(drawn_from_times),$(figure_files))
+golden: $(data_files) $(study_files) $(filter-out $(drawn_from_times),$(figure_files))
 	@bash tests/figures/update-golden.sh
 
 # --- The rest -------------------------------------------------------------------------------------

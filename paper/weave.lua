@@ -28,7 +28,8 @@
 --   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
 --                                                     first behind a numbered equation, which it is
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
---                                                     or, if it rests on a time, build/data/speed.json
+--                                                     from speed.json if it rests on a time, or
+--                                                     study-values.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
@@ -190,7 +191,10 @@ end
 local function value(key, written)
   if not values then
     values = read_values("build/data/values.json", {})
-    if read("build/data/speed.json") then read_values("build/data/speed.json", values) end
+    for _, name in ipairs { "speed", "study-values" } do
+      local path = "build/data/" .. name .. ".json"
+      if read(path) then read_values(path, values) end
+    end
   end
   if not values[key] then complain(written, "unknown value %s", key) end
   return values[key] or ""

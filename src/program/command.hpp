@@ -13,7 +13,7 @@ namespace thermoroll {
 /// What the subcommands are told.
 struct Options {
   SceneOptions of_scene;
-  std::string at, name, times, format = "text", language = "c", output, profile;
+  std::string at, name, times, study, format = "text", language = "c", output, profile;
   double depth = 0;
   Maybe from, to;
   int points = 101;

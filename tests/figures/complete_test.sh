@@ -4,8 +4,9 @@
 . tests/common.sh
 
 # The tables that the program writes, those of times among them; values and speed are no tables.
-listed=$(build/thermoroll figure-data --list; build/thermoroll figure-data --list --times build/data/times.json)
-listed=$(grep -vx 'values\|speed' <<<"$listed")
+listed=$(build/thermoroll figure-data --list; build/thermoroll figure-data --list --times build/data/times.json
+  build/thermoroll figure-data --list --study figures/measured/study.csv)
+listed=$(grep -vx 'values\|speed\|study-values' <<<"$listed")
 
 # complete PROJECT: the first thing missing, on stderr, and a failure.
 complete() (

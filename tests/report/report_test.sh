@@ -135,6 +135,18 @@ ShortVersionLeadsIntoTheReport() {
   [ "$figures" -ge 8 ] && [ "$figures" -le 12 ] || fail "$figures figures"
 }
 
+# Every command of the reviewers' table prints what stands beside it.
+ReviewersCommandsPrintThis() {
+  count=0
+  while IFS=$'\t' read -r command expected; do
+    bash -c "$command" >"$work/out" 2>&1 || true
+    grep -qF -- "$expected" "$work/out" || fail "'$command' does not print '$expected': $(cat "$work/out")"
+    count=$((count + 1))
+  done < <(awk -F'`' '/^### For reviewers/ { on = 1 } /#tbl:reviewers/ { on = 0 }
+    on && /^\| / && NF == 5 { print $2 "\t" $4 }' paper/08-results.md)
+  [ "$count" -eq 9 ] || fail "$count commands in the table"
+}
+
 NamedTestsExist() {
   xpath "//*[@class='checked']//*[local-name()='code']/text()" | sort -u >"$work/named"
   [ "$(wc -l <"$work/named")" -gt 10 ] || fail "hardly any test is named"
