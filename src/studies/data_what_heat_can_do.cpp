@@ -38,8 +38,8 @@ void small_heat(std::ostream& out) {
     for (const double heating : {0.01, 0.1}) {
       const Scene scene{paper::friction, peclet, heating};
       const CoupledSolution best = solve_coupled(scene, Formulation::corrected, 1e-10, given);
-      for (const auto rung : {closed_form, first_order}) {
-        const CoupledSolution x = rung(scene, Formulation::corrected, 1e-9, given);
+      for (const auto level : {closed_form, first_order}) {
+        const CoupledSolution x = level(scene, Formulation::corrected, 1e-9, given);
         out << ',' << largest_difference(x.value, best.value);
       }
     }

@@ -43,7 +43,7 @@ double relative(const VectorXd& change, const VectorXd& h) {
 
 constexpr double settled = 1e-8;
 
-/// Says when an iteration does not get on.
+/// Tells when an iteration makes no progress.
 struct Patience {
   double best = std::numeric_limits<double>::infinity();
   int since = 0;
