@@ -38,7 +38,7 @@ Number crossing(const Scene& scene, const Number& a, const Number& b) {
   return 2 * k * (scene.peclet - peclet_2(scene)) / ((a + b) * (a + k * b));
 }
 
-/// At the place u of the exponential exp(-u z): of the slope, the strain and the temperature.
+/// For the exponential exp(-u z): of the slope, the strain and the temperature.
 struct Density {
   double slope, strain, temperature;
 };
