@@ -88,7 +88,7 @@ Worst methods_at_their_worst() {
 
 constexpr int unique_count = 100, starts = 20;
 
-/// How many starts end at the known solution, and at another one that is a contact.
+/// How many starts end at the known solution, and at another admissible one.
 struct Ends {
   int known = 0, other = 0;
 };
