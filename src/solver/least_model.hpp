@@ -25,11 +25,11 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given);
 
-/// The largest difference of any quantity but the place of the hottest point, in units of what its
+/// The largest difference of any quantity but the position of the hottest point, in units of what its
 /// tolerance is relative to; dimensionless.
 double largest_difference(const Results& x, const Results& exact);
 
-/// The largest stated error of any quantity but that place, in the same units; dimensionless.
+/// The largest stated error of any quantity but that position, in the same units; dimensionless.
 double largest_error(const CoupledSolution& x);
 
 /// A solution, its model, and the reason for that model.

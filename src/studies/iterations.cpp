@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A and B: what h becomes through p-hat and through v-hat, linearised at h.
+/// A and B: the change of h through p-hat and through v-hat, linearised at h.
 MatrixXd through_p(const FluxMap& map, const VectorXd& h) {
   return (map.sigma.array() * slip_factor(map, h)).matrix().asDiagonal() * map.p;
 }
