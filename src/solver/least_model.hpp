@@ -25,8 +25,8 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given);
 
-/// The largest difference of any quantity but the position of the hottest point, in units of what its
-/// tolerance is relative to; dimensionless.
+/// The largest difference of any quantity but the position of the hottest point, in units of what
+/// its tolerance is relative to; dimensionless.
 double largest_difference(const Results& x, const Results& exact);
 
 /// The largest stated error of any quantity but that position, in the same units; dimensionless.
