@@ -230,7 +230,8 @@ local function symbols_in(tex)
       local scripts = {}
       for _ = 1, 2 do
         local kind, script, next_at = tex:match("^([_^])(%b{})()", behind)
-        if not kind then kind, script, next_at = tex:match("^([_^])(\\?[%w*])()", behind) end
+        if not kind then kind, script, next_at = tex:match("^([_^])(\\%a+)()", behind) end
+        if not kind then kind, script, next_at = tex:match("^([_^])([%w*])()", behind) end
         if not kind then break end
         scripts[kind], behind = script:gsub("[{}]", ""), next_at
       end

@@ -10,7 +10,7 @@
 
 namespace thermoroll {
 
-/// What the subcommands are told.
+/// The options of the subcommands.
 struct Options {
   SceneOptions of_scene;
   std::string at, name, times, study, format = "text", language = "c", output, profile;
@@ -21,7 +21,7 @@ struct Options {
   bool list = false, verbose = false, trace = false;
 };
 
-/// What a command line asks for: a subcommand with its options or, where that is empty, a text.
+/// A command line as read: a subcommand with its options or, where that is empty, a text.
 struct Command {
   std::string subcommand;
   Options options;
@@ -32,7 +32,7 @@ struct Command {
 /// std::invalid_argument.
 Command read_command(const std::vector<std::string>& arguments);
 
-/// Do what a command line asks for, answers and notes included. Throws std::exception.
+/// Execute a command line, answers and notes included. Throws std::exception.
 void run(const Command& c);
 
 /// The points that a text describes, "A:B:N" or "A,B,...". Throws std::invalid_argument.

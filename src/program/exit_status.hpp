@@ -15,7 +15,7 @@ struct RowsFailed : std::runtime_error {
 /// The exit status of @tbl:exit-codes that an error leads to.
 int status_of(const std::exception& error);
 
-/// What to say of an error, in one line: its message, with blanks in place of control characters
+/// The message of an error in one line: its text, with blanks in place of control characters
 /// and the numbers of bytes that are no UTF-8; for std::bad_alloc, how much memory was in use.
 std::string message_of(const std::exception& error);
 

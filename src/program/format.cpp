@@ -208,7 +208,7 @@ void require_finite(const Solution& x, const std::optional<FoundInSi>& physical)
   if (physical && physical->error) require_finite(physical_rows, *physical->error);
 }
 
-/// A few digits, for the eye.
+/// A few digits, for text.
 std::string digits(double x, int significant) {
   std::ostringstream out;
   out << std::setprecision(significant) << x;

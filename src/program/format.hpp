@@ -19,8 +19,8 @@ struct Field {
   std::string name, cell;
 };
 
-/// Which columns a table has that insulated rollers, constant friction and an unknown bulk
-/// temperature do without.
+/// Which optional columns a table has, beyond those of insulated rollers, constant friction and an
+/// unknown bulk temperature.
 struct MoreColumns {
   bool roller = false, law = false, bulk = false;
 };

@@ -27,7 +27,7 @@ struct WayAlong {
   std::vector<double> creep, way;
 };
 
-WayAlong way_along(const CreepLaw& law, const CurveRange& range, double friction) {
+WayAlong length_along(const CreepLaw& law, const CurveRange& range, double friction) {
   const double width = range.to - range.from, first = z_of(law, range.from);
   const int many = 20 * range.points;
   const double apart = (z_of(law, range.to) - first) / many;
@@ -268,7 +268,7 @@ LawUnits law_units(const PhysicalScene& si, double friction) {
 }
 
 std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, double friction) {
-  const auto [creep, way] = way_along(law, range, friction);
+  const auto [creep, way] = length_along(law, range, friction);
   std::vector<double> points;
   std::size_t next = 1;
   for (int k = 0; k + 1 < range.points; ++k) {

@@ -30,7 +30,7 @@ LawUnits law_units(const PhysicalScene& si, double friction);
 std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
                      Language language);
 
-/// From which creep xi* to which, where that is asked for, and how many rows.
+/// The first and last creep xi*, where requested, and the number of rows.
 struct CurveRange {
   double from, to;
   int points;

@@ -12,7 +12,7 @@
 
 namespace thermoroll {
 
-/// A word of the command line and what it stands for.
+/// A word of the command line and its value.
 template <class T>
 struct Name {
   const char* word;

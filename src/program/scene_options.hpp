@@ -41,8 +41,8 @@ void add_scene_options(CLI::App& command, SceneOptions& o);
 /// Whether an option, named without its hyphens, stands for data in SI units.
 bool is_si_option(const std::string& name);
 
-/// What the options describe. In SI units, peclet and heating are not known yet, and half_width is
-/// not where there is a radius. Its traction counts only if that is given.
+/// The scene as given. In SI units, peclet and heating are not known yet, and half_width is not if
+/// a radius is given. Its traction counts only if that is given.
 struct GivenScene {
   Scene scene;
   Prescribed given;

@@ -10,7 +10,7 @@
 
 namespace thermoroll {
 
-/// How far a sweep has come.
+/// The progress of a sweep.
 struct SweepCount {
   long rows = 0, failed = 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
@@ -36,7 +36,7 @@ SweepTable table_of(const std::string& header);
 /// The cells of a line, without what surrounds them.
 std::vector<std::string> cells_of(const std::string& line);
 
-/// What the cells of a row say. Throws std::invalid_argument.
+/// The scene in the cells of a row. Throws std::invalid_argument.
 SceneOptions read_row(const std::vector<std::string>& columns,
                       const std::vector<std::string>& cells);
 

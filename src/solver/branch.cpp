@@ -51,14 +51,14 @@ bool is_lower(const OnCurve& a, const OnCurve& b) {
   return a.traction() < (1 - 1e-9) * b.traction();
 }
 
-struct Walk {
+struct CurveSamples {
   CreepCurve curve;
   Points points{};    // by rho
-  bool whole = true;  // all points were a contact
+  bool whole = true;  // all points were admissible
 };
 
 /// Put the solution at rho before the point of this index.
-bool add(Walk& x, std::size_t index, double rho, const GridSolution& from) {
+bool add(CurveSamples& x, std::size_t index, double rho, const GridSolution& from) {
   const OnCurve now{rho, solution_on(x.curve, rho, from)};
   const bool solved = now.solution.newton_steps > 0;
   x.whole = x.whole && solved && now.solution.violations.empty();
@@ -66,8 +66,8 @@ bool add(Walk& x, std::size_t index, double rho, const GridSolution& from) {
   return solved;
 }
 
-Walk walk(const CreepCurve& curve, double asked, Branch branch) {
-  Walk x{curve};
+CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) {
+  CurveSamples x{curve};
   const double share = std::min(asked / curve.scene.friction, 0.8);
   const double first = std::sqrt(share / (1 + std::sqrt(1 - share)));  // slip is 2 first^2
   const auto falls = [&](std::size_t i) { return is_lower(x.points[i], x.points[i - 1]); };
@@ -120,8 +120,7 @@ LocalCurve local_curve(Points points, double middle, bool sticks) {
   return {middle, reach, places.partialPivLu().solve(values)};
 }
 
-/// Where, from low to high, the traction or its derivative by rho changes from one side of the
-/// value to the other.
+/// The point from low to high where the traction, or its derivative by rho, passes the value.
 double place_of(const LocalCurve& local, int order, double value, double low, double high) {
   const bool above = derivative(local, order, low)(traction) > value;
   for (int halving = 0; halving < 40; ++halving) {
@@ -131,15 +130,15 @@ double place_of(const LocalCurve& local, int order, double value, double low, do
   return low;
 }
 
-/// The curve about its highest point, where that is, and whether a stick zone is left there.
+/// The curve about its maximum, the position of that, and whether a stick zone is left there.
 struct Highest {
   LocalCurve local;
   double rho;
   bool sticks;
 };
 
-/// None if it is at an end.
-std::optional<Highest> highest_of(Walk& x) {
+/// None if the maximum is at an end.
+std::optional<Highest> highest_of(CurveSamples& x) {
   for (int k = 0;; ++k) {
     const auto best = std::max_element(x.points.begin(), x.points.end(), is_lower);
     if (best == x.points.begin() || best + 1 == x.points.end()) return std::nullopt;
@@ -221,13 +220,13 @@ std::size_t enclosing(const Points& points, Branch branch, double asked) {
   return 0;
 }
 
-/// A solution of the walk at about this traction, and the curve about it, in its middle.
+/// A sample at about this traction, and the curve about it, in its middle.
 struct Enclosed {
   GridSolution solution{};
   LocalCurve local{};
 };
 
-Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
+Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
   Enclosed found;
   for (int k = 0; k < 8; ++k) {
     const std::size_t i = enclosing(x.points, branch, asked);
@@ -242,8 +241,8 @@ Enclosed about_the_traction(Walk& x, Branch branch, double asked) {
   return found;
 }
 
-/// Solve with n unknowns where the derivative says, moving on until less than share of each result
-/// is left to be carried over; slope, the derivative by the traction, is improved.
+/// Solve with n unknowns at the point that the derivative gives, until less than share of each
+/// result is left to correct; slope, the derivative by the traction, is improved.
 GridSolution settle(const CreepCurve& curve, const Prescribed& given, const GridSolution& from,
                     Results& slope, double share) {
   const auto& [scene, formulation, n, unused] = curve;
@@ -289,8 +288,9 @@ void refuse_beyond(const Points& points, const std::optional<TractionLimit>& lim
 
 CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
                                 double asked, Branch branch) {
-  Walk x = walk({scene, formulation, 12}, asked, branch);
-  while (!x.whole && x.curve.n < 48) x = walk({scene, formulation, 2 * x.curve.n}, asked, branch);
+  CurveSamples x = sample_curve({scene, formulation, 12}, asked, branch);
+  while (!x.whole && x.curve.n < 48)
+    x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
   if (x.points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
   const std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);

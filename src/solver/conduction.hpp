@@ -16,7 +16,7 @@ namespace thermoroll {
 /// a number alone.
 struct Conduction {
   Conduction(double of) : peclet(of) {}
-  /// Without what crosses both bodies have the uniform share of heat.
+  /// Without the crossing flux both bodies have the uniform share of heat.
   explicit Conduction(const Scene& scene, bool crossing = true);
   double peclet, slowest = 1;               // Pe, and the smaller one over it
   std::shared_ptr<const PairTable> pair{};  // of unlike bodies

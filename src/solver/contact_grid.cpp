@@ -25,7 +25,7 @@ ArrayXd strain_on_stick(const ContactGrid& grid, const VectorXd& h) {
   return g;
 }
 
-/// At the slip nodes: p-hat, phi and its derivative, v-hat, for a share of the heating.
+/// At the slip nodes: p-hat, phi and its derivative, v-hat, for a share of H.
 struct LawAtNodes {
   ArrayXd pressure, phi, slope, slip;
   ArrayXd by_pressure, by_temperature;  // their derivatives, by the weights of the node

@@ -48,8 +48,8 @@ struct HalfCurve {
   double all_slips;
 };
 
-/// The solution's largest T*, which strong heat may have twice, the hotter one at the trailing
-/// edge.
+/// The solution's largest T*. With strong heat there may be two maxima, the hotter one at the
+/// trailing edge.
 double hottest(const HalfCurve& curve, const GridSolution& x) {
   if (x.crossing) return x.value(Quantity::max_temperature);  // which has searched there too
   const HottestPoint trailing =
@@ -111,7 +111,7 @@ std::string why_not(const HalfCurve& curve, double tolerance, double w, GridSolu
   return not_resolved;
 }
 
-/// The last w that has a contact, and why the curve ends there; 2 and nothing if all have one.
+/// The last w that has a contact, and the reason for the end; 2 and nothing if all have one.
 struct CurveEnd {
   double w;
   std::string reason;
@@ -198,7 +198,7 @@ LawErrors missed(const LawPiece& piece, const Stored& at) {
   return errors_of(value - at.value, slips_partially(piece), at);
 }
 
-/// The node k of a piece, or a place between two nodes; the ends are met to the last bit.
+/// The node k of a piece, or a point between two nodes; the ends are met to the last bit.
 double law_node(double from, double to, double k) {
   if (k == law_terms - 1) return to;
   return from + (to - from) * (1 - std::cos(pi * k / (law_terms - 1))) / 2;

@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Both bodies as @eq:exchange and @eq:exchange-terms see them.
+/// The data of both bodies in @eq:exchange and @eq:exchange-terms.
 struct ExchangingPair {
   double peclet, peclet_2, ratio, share;    // ratio = K1 / K2, share = omega
   double slope, slope_2, strain, strain_2;  // factors of N1 and of N2
@@ -79,15 +79,15 @@ struct Target {
   double left, right, gap;
 };
 
-/// Places x, distances from the target, weights of a(x) and of h; whether it looks upstream.
-struct Ray {
+/// Positions x, distances from the target, weights of a(x) and of h; whether it goes upstream.
+struct ZoneRule {
   GradedArray x, apart, exchanged, heat;
   bool upstream;
 };
 
-/// The ray from a target towards the edge (side = 1) or the border (-1).
-Ray cast_ray(const ZoneMap& zone, double peclet, const Target& from, int side,
-             const GaussLegendre& rule) {
+/// The rule from a target towards the edge (side = 1) or the border (-1).
+ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int side,
+                   const GaussLegendre& rule) {
   const GradedArray left = GradedArray::Constant(1, from.left);
   const GradedArray right = GradedArray::Constant(1, from.right);
   const ZonePoints at = zone_points(zone, left, right);
@@ -98,20 +98,20 @@ Ray cast_ray(const ZoneMap& zone, double peclet, const Target& from, int side,
   const GradedArray power = k * rule.cube, step = delta * power.expm1();
   const GradedArray dx = 1.5 * k * rule.w * rule.rho.square() * (step + delta);
   const double middle = (from.left - from.right) / 2;
-  Ray ray{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
+  ZoneRule graded{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
   const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
-  GradedArray far = step * (15 - 4 * (middle * (middle + ray.x) + ray.x.square())) / 22;
+  GradedArray far = step * (15 - 4 * (middle * (middle + graded.x) + graded.x.square())) / 22;
   if (!zone.slips()) far = side * (u + zone.fine) * (side * zone.growth() / 2 * step).expm1();
   const auto near_border = to.u + u < 1;
   const GradedArray sum = near_border.select(to.u + u, to.v + v);
   const GradedArray product = near_border.select(to.u * u, to.v * v);
-  ray.apart = from.gap + zone.length * far * (3 * sum - 2 * (sum.square() - product));
+  graded.apart = from.gap + zone.length * far * (3 * sum - 2 * (sum.square() - product));
   const GradedArray omega = ((1 + 2 * to.u) * (1 + 2 * to.v)).sqrt();
   const GradedArray along = zone.length * to.du * dx;
   const double heated = zone.slips() ? 6 * zone.length : 0;
-  ray.exchanged = edge_measure(zone, to) * along;
-  ray.heat = heated * along * (to.u * to.v).square() * omega;
-  return ray;
+  graded.exchanged = edge_measure(zone, to) * along;
+  graded.heat = heated * along * (to.u * to.v).square() * omega;
+  return graded;
 }
 
 /// A row for each target. The first four have a column for each coefficient of E, slip zone first:
@@ -127,41 +127,41 @@ struct ExchangeRows {
   MatrixXd jump, temperature, slope, strain, heat;
 };
 
-std::vector<Kernels> kernels_along(const Ray& ray, double peclet) {
-  const GradedArray zeta = peclet * ray.apart;
+std::vector<Kernels> kernels_along(const ZoneRule& graded, double peclet) {
+  const GradedArray zeta = peclet * graded.apart;
   std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
   fast_kernels(k.size(), zeta.data(), k.data());
   return k;
 }
 
-KernelWeights exchange_weights(const ExchangingPair& pair, const Ray& ray) {
-  const std::vector<Kernels> first = kernels_along(ray, pair.peclet);
+KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& graded) {
+  const std::vector<Kernels> first = kernels_along(graded, pair.peclet);
   const bool alike = pair.peclet == pair.peclet_2;
-  const std::vector<Kernels> second = alike ? first : kernels_along(ray, pair.peclet_2);
-  KernelWeights weights(ray.x.size(), node_weights);
-  for (Index i = 0; i < ray.x.size(); ++i) {
+  const std::vector<Kernels> second = alike ? first : kernels_along(graded, pair.peclet_2);
+  KernelWeights weights(graded.x.size(), node_weights);
+  for (Index i = 0; i < graded.x.size(); ++i) {
     const Kernels& k1 = first[static_cast<std::size_t>(i)];
     const Kernels& k2 = second[static_cast<std::size_t>(i)];
-    const double flux = ray.exchanged[i], twice = ray.upstream ? -2 * ray.apart[i] : 0;
+    const double flux = graded.exchanged[i], twice = graded.upstream ? -2 * graded.apart[i] : 0;
     const double m1 = k1.m_down * std::exp(twice * pair.peclet);
     const double m2 = k2.m_down * std::exp(twice * pair.peclet_2);
-    const double slope = ray.upstream ? pair.slope * k1.n1 + pair.slope_2 * k2.n1 : 0;
-    const double strain = ray.upstream ? pair.strain * k1.n2_up + pair.strain_2 * k2.n2_up
-                                       : pair.strain * k1.n2_down + pair.strain_2 * k2.n2_down;
+    const double slope = graded.upstream ? pair.slope * k1.n1 + pair.slope_2 * k2.n1 : 0;
+    const double strain = graded.upstream ? pair.strain * k1.n2_up + pair.strain_2 * k2.n2_up
+                                          : pair.strain * k1.n2_down + pair.strain_2 * k2.n2_down;
     weights.row(i) << flux * (m1 + pair.ratio * m2), flux * m1, flux * slope, flux * strain,
-        ray.heat[i] * pair.share * (m2 - m1);
+        graded.heat[i] * pair.share * (m2 - m1);
   }
   return weights;
 }
 
-/// Add the rays of a zone, whose coefficients begin at this column, to the row of a target.
+/// Add the rules of a zone, whose coefficients begin at this column, to the row of a target.
 void add_zone(const ExchangingPair& pair, const ZoneMap& zone, const Target& target, Index row,
               Index column, const GaussLegendre& rule, Sums& sums, ExchangeRows& rows) {
   const double fastest = std::max(pair.peclet, pair.peclet_2);
   for (const int side : {1, -1}) {
     if ((side > 0 ? target.right : target.left) == 0) continue;
-    const Ray ray = cast_ray(zone, fastest, target, side, rule);
-    legendre_sums(ray.x, exchange_weights(pair, ray), sums);
+    const ZoneRule graded = zone_rule(zone, fastest, target, side, rule);
+    legendre_sums(graded.x, exchange_weights(pair, graded), sums);
     const auto add = [&](Index sum, MatrixXd& to) {
       to.row(row).segment(column, sums.cols()) += sums.row(sum);
     };
@@ -292,11 +292,11 @@ double temperature_by(const ZoneMap& zone, double peclet, const Target& target,
   double sum = 0;
   for (const int side : {1, -1}) {
     if ((side > 0 ? target.right : target.left) == 0) continue;
-    const Ray ray = cast_ray(zone, peclet, target, side, rule);
-    const GradedArray flux = ray.exchanged * series(1, ray.x, series_of_zone);
-    const std::vector<Kernels> kernels = kernels_along(ray, peclet);
+    const ZoneRule graded = zone_rule(zone, peclet, target, side, rule);
+    const GradedArray flux = graded.exchanged * series(1, graded.x, series_of_zone);
+    const std::vector<Kernels> kernels = kernels_along(graded, peclet);
     for (Index i = 0; i < flux.size(); ++i) {
-      const double before = ray.upstream ? std::exp(-2 * peclet * ray.apart[i]) : 1;
+      const double before = graded.upstream ? std::exp(-2 * peclet * graded.apart[i]) : 1;
       sum += kernels[static_cast<std::size_t>(i)].m_down * before * flux[i];
     }
   }

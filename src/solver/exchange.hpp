@@ -13,12 +13,12 @@
 
 namespace thermoroll {
 
-/// What crosses the contact, on n slip nodes and m stick nodes. All matrices have a column for each
-/// term of h, and a last one for the bulk difference.
+/// The crossing flux, on n slip nodes and m stick nodes. All matrices have a column for each term
+/// of h, and a last one for the bulk difference.
 struct Exchange {
   Eigen::MatrixXd series;       // coefficients of @eq:exchange-series, n and then m
-  ThermalTerms thermal;         // what it adds to the terms of the uniform share
-  Eigen::MatrixXd temperature;  // what it adds to T* at the n, then the m nodes
+  ThermalTerms thermal;         // its part of the terms, beside the uniform share
+  Eigen::MatrixXd temperature;  // its part of T* at the n, then the m nodes
   Eigen::RowVectorXd heat;      // the integral of E over the contact
   Eigen::RowVectorXd edge;      // C of E = C / sqrt(1 + s) + ... at the leading edge
 };
@@ -35,8 +35,7 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
 /// no_slip() to a hundredth, or to all digits where a traction or creep, with its sign, is near.
 NoSlip no_slip_near(const Scene& scene, const Prescribed& given);
 
-/// What is given for a scene, less what there is without slip in its direction; a traction of f
-/// stays f.
+/// The prescribed value less that without slip in the scene's direction; a traction of f stays f.
 Prescribed beyond_no_slip(const Scene& scene, Prescribed given);
 
 /// Add it to the terms of a grid in which both bodies have the uniform share of heat.
@@ -56,7 +55,7 @@ struct BulkExchange {
 /// For grids of so many unknowns; none without a bulk difference.
 std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Eigen::Index unknowns);
 
-/// What the scene's bulk difference makes at the nodes of a grid.
+/// The effect of the scene's bulk difference at the nodes of a grid.
 BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation formulation,
                      const Nodes& z);
 

@@ -52,7 +52,7 @@ ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, d
   return grid;
 }
 
-/// The solution on the first grid that has a contact; no newton_steps if none has.
+/// The solution on the first grid that has an admissible one; no newton_steps if none has.
 GridSolution coarse_full_slip(const Scene& scene, Formulation formulation, double creep) {
   GridSolution level;
   for (int n = 10; n <= 80; n *= 2) {

@@ -10,12 +10,12 @@ namespace thermoroll {
 
 /// Matrices for a law of friction on the n slip nodes.
 struct HotFriction {
-  Eigen::MatrixXd s;        // S of @eq:lost-friction on the values of B, n x n, but for
-  Eigen::MatrixXd at_node;  // what the derivative of B at the node itself adds, n x n
+  Eigen::MatrixXd s;        // S of @eq:lost-friction on the values of B, n x n, except for
+  Eigen::MatrixXd at_node;  // the term with the derivative of B at the node itself, n x n
   Eigen::MatrixXd p, t;     // that of p-hat and of T*, a column for each term of h
   Eigen::ArrayXd weight;    // of the integral in S
   Eigen::ArrayXd moment;    // of that for the traction, @eq:lost-sums
-  Eigen::ArrayXd bulk{};    // what a bulk difference adds to T* at all nodes, empty without one
+  Eigen::ArrayXd bulk{};    // the part of T* by a bulk difference at all nodes, empty without one
 };
 
 /// These matrices on the nodes of a grid and the rule of its slip zone, with p of p-hat and the

@@ -71,7 +71,7 @@ GridRules rules_of_correction(const Scene& scene, const ZoneLengths& at, int lea
   return GridRules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
 }
 
-/// What heat does to the solution without heat.
+/// The effect of heat on the solution without heat.
 struct Correction {
   Carter carter;                      // without the heat that is added here
   VectorXd h;                         // its values of h at the nodes
@@ -139,15 +139,15 @@ Results error_of_closed_form(const Correction& x) {
 }
 
 double temperature_at(const HottestPoint& top, const Scene& scene, const Correction& x,
-                      const GaussLegendre& rays) {
+                      const GaussLegendre& rule) {
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const double slip = zones_of(x.carter).slip;
-  return temperature_and_slope(slip, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rays).value;
+  return temperature_and_slope(slip, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rule).value;
 }
 
-CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd& h,
-                     const Results& value, const Carter& c, const HottestPoint& top,
-                     const Results& error, const Prescribed& given) {
+CoupledSolution as_solution(const Scene& scene, Formulation formulation, const VectorXd& h,
+                            const Results& value, const Carter& c, const HottestPoint& top,
+                            const Results& error, const Prescribed& given) {
   const ZoneLengths at = zones_of(c);
   CoupledSolution x{scene, formulation, value, value, static_cast<int>(h.size()), 0, h, {}, {}};
   x.value(Quantity::max_temperature) = heat_share(scene) * top.value;
@@ -160,7 +160,7 @@ CoupledSolution rung(const Scene& scene, Formulation formulation, const VectorXd
   return x;
 }
 
-/// Null where one may do.
+/// The reason; null where a lower level may do.
 const char* why_coupled(const Scene& scene, const Prescribed& given) {
   if (scene.law) return "friction depends on temperature";
   if (scene.bulk_difference != 0) return "the bulk temperatures differ";
@@ -203,7 +203,7 @@ CoupledSolution closed_form(const Scene& scene, Formulation formulation, double 
   error(Quantity::max_temperature) += 0.1 * tolerance;
   Scene cold = scene;  // as its tractions are
   cold.heating = cold.roller.heating = 0;
-  return rung(cold, formulation, h, carter_values(c), c, top, error, given);
+  return as_solution(cold, formulation, h, carter_values(c), c, top, error, given);
 }
 
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
@@ -214,18 +214,19 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const ZoneLengths at = zones_of(x.carter);
   const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
-  const GaussLegendre& rays = graded_nodes(tolerance, at.slip * scene.peclet);
-  const HottestPoint top = find_hottest(at.slip, Conduction(scene), h, near, rays);
+  const GaussLegendre& rule = graded_nodes(tolerance, at.slip * scene.peclet);
+  const HottestPoint top = find_hottest(at.slip, Conduction(scene), h, near, rule);
   const Correction next = correct(scene, formulation, given, x.carter, h, 13);
   Results later = (next.value - x.value).abs() / scale_of(x.value);
-  const double hotter = temperature_at(top, scene, next, rays);
+  const double hotter = temperature_at(top, scene, next, rule);
   later(Quantity::max_temperature) = std::abs(hotter / top.value - 1);
   const double r = std::max({largest_change(x), x.most, next.most});
   const double sum = r < 1 ? 1 / (1 - r) : std::numeric_limits<double>::infinity();
   const double most = later.head(compared).maxCoeff();
   Results error = sum * (2 * later + r * most) + grid_error(x);
   error(Quantity::max_temperature) += 0.1 * tolerance;
-  CoupledSolution solution = rung(scene, formulation, h, x.value, x.carter, top, error, given);
+  CoupledSolution solution =
+      as_solution(scene, formulation, h, x.value, x.carter, top, error, given);
   solution.violations = x.violations;
   return solution;
 }

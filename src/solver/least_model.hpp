@@ -17,22 +17,22 @@ double expected_change(const Scene& scene, const Carter& c);
 /// results by so much, @eq:first-order-forecast.
 double expected_second_order(double change);
 
-/// The rungs, as solutions of the coupled problem; errors include what the model leaves out, and
-/// are infinite where heat is too strong for one linear correction. The closed form's h has ten
+/// The lower levels, as solutions of the coupled problem. Errors include what the model leaves out,
+/// and are infinite where heat is too strong for one linear correction. The closed form's h has ten
 /// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
 CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given);
 CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
                             const Prescribed& given);
 
-/// The largest difference of any quantity but the place of the hottest point, in units of what its
-/// tolerance is relative to; dimensionless.
+/// The largest difference of any quantity but the position of the hottest point, in units of what
+/// its tolerance is relative to; dimensionless.
 double largest_difference(const Results& x, const Results& exact);
 
-/// The largest stated error of any quantity but that place, in the same units; dimensionless.
+/// The largest stated error of any quantity but that position, in the same units; dimensionless.
 double largest_error(const CoupledSolution& x);
 
-/// A solution, the model that it is of, and why that one.
+/// A solution, its model, and the reason for that model.
 struct Choice {
   Model model;
   std::string reason;

@@ -38,7 +38,7 @@ Number crossing(const Scene& scene, const Number& a, const Number& b) {
   return 2 * k * (scene.peclet - peclet_2(scene)) / ((a + b) * (a + k * b));
 }
 
-/// At the place u of the exponential exp(-u z): of the slope, the strain and the temperature.
+/// For the exponential exp(-u z): of the slope, the strain and the temperature.
 struct Density {
   double slope, strain, temperature;
 };
@@ -62,7 +62,8 @@ Density downstream(const Scene& scene, double u) {
           delta / (root * a)};
 }
 
-/// Add panels from a place where a density is as a square root, to another; the first is so long.
+/// Add panels from a point where a density is like a square root to another; the first has this
+/// length.
 void add_panels(Exponentials& sum, double from, double to, double first) {
   const GaussLegendre& rule = gauss_legendre(12);
   const double sign = to > from ? 1 : -1, length = std::abs(to - from);

@@ -23,7 +23,7 @@ struct PairTable {
   explicit PairTable(const Scene& pair, bool crossing = true);  // false: the uniform share
   Remainders operator()(double z) const;
 
-  double peclet, other_peclet, slope_1, slope_2;  // Pe1, Pe2, D1 and kappa D2
+  double peclet, other_peclet, slope_1, slope_2;  // Pe1, Pe2, D1 and D2 K2 / K1
   Exponentials up, down;
   Densities up_density, down_density;
   int first = 0;                         // the number of the first cell

@@ -266,9 +266,9 @@ struct Top {
   double at, value;
 };
 
-/// The top of a curve on -1 <= x <= 1 that so many points show, which crowd towards the ends. About
-/// the best of them the search goes on with nine at a time, until they are so near that the top is
-/// flat.
+/// The maximum of a curve on -1 <= x <= 1 by so many points, which are dense towards the ends.
+/// About the best of them the search continues with nine at a time, until they are so close that
+/// the curve is flat.
 template <class Curve>
 Top top(Eigen::Index points, const Curve& curve) {
   Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();

@@ -46,7 +46,8 @@ void arithmetic(std::ostream& out) {
 
 const FigureData arithmetic_data{"arithmetic", arithmetic};
 
-/// Settled on a contact; its last iterate a contact, or none; settled on what is none.
+/// Converged and admissible; not converged, with an admissible or an inadmissible last iterate;
+/// converged and inadmissible.
 enum class SchemeEnd { settled = 1, unsettled, lost, wrong };
 
 constexpr PublishedOptions few_nodes{20, 1e-6, 0, 40};  // at most 40 outer steps
@@ -80,7 +81,7 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   v["contact_scheme_wrong"] = std::to_string(scheme_wrong);
 }
 
-/// How many scenes of the corners are solved as contacts, solved as none, refused.
+/// How many scenes of the corners have an admissible solution, an inadmissible one, a refusal.
 std::array<int, 3> survivors(Formulation formulation, double heating) {
   std::array<int, 3> count{};
   for (int decade = -3; decade <= 8; ++decade)
@@ -158,7 +159,7 @@ void iteration_steps(std::ostream& out) {
 
 const FigureData steps_data{"iteration-steps", iteration_steps};
 
-/// The solution at one speed, continued from heating to heating for as long as it is a contact's.
+/// The solution at one speed, continued in H for as long as it is admissible.
 struct Continuation {
   FluxMap unit;
   double heating;

@@ -19,41 +19,41 @@
 namespace thermoroll {
 namespace {
 
-/// The largest heating, from 1e-9 to 1e3, at which the error of a rung meets the tolerance.
-template <class Rung>
-double most_heating(const Rung& rung, double peclet, double tolerance) {
+/// The largest H, from 1e-9 to 1e3, at which the error of a level meets the tolerance.
+template <class Level>
+double most_heating(const Level& level, double peclet, double tolerance) {
   double low = 1e-9, high = 1e3;
   while (high > 1.01 * low) {
     const double middle = std::sqrt(low * high);
     const Scene scene{paper::friction, peclet, middle};
     const auto x =
-        rung(scene, Formulation::corrected, tolerance, Prescribed{Quantity::traction, 0.5});
+        level(scene, Formulation::corrected, tolerance, Prescribed{Quantity::traction, 0.5});
     (largest_error(x) <= tolerance ? low : high) = middle;
   }
   return low;
 }
 
-void rungs_by_peclet(std::ostream& out) {
+void levels_by_peclet(std::ostream& out) {
   row(out, "peclet", "closed_2", "first_2", "closed_3", "first_3", "closed_6", "first_6");
   for (const double speed : grid(-2, 6, 48)) {
     out << shortest(std::pow(10, speed));
     for (const double tolerance : {1e-2, 1e-3, 1e-6})
-      for (const auto rung : {closed_form, first_order})
-        out << ',' << shortest(most_heating(rung, std::pow(10, speed), tolerance));
+      for (const auto level : {closed_form, first_order})
+        out << ',' << shortest(most_heating(level, std::pow(10, speed), tolerance));
     out << '\n';
   }
 }
 
-const FigureData rungs_data{"rungs", rungs_by_peclet};
+const FigureData rungs_data{"rungs", levels_by_peclet};
 
-/// How an answer to a tolerance did: the rung, 3 where it was refused, and its true error in units
+/// The outcome of an answer to a tolerance: its level, 3 for a refusal, and its true error in units
 /// of the tolerance, by a coupled solution ten times better.
 struct Trial {
-  int rung = 3;
+  int level = 3;
   double error = 0;
 };
 
-Trial try_ladder(const Sample& x, double tolerance) {
+Trial run_trial(const Sample& x, double tolerance) {
   const Prescribed given{Quantity::traction, x.traction};
   try {
     const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
@@ -74,7 +74,7 @@ std::vector<Trial> all_trials() {
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < scenes.size(); i = next++)
-      trials[i] = try_ladder(scenes[i], random_tolerances[i % 3]);
+      trials[i] = run_trial(scenes[i], random_tolerances[i % 3]);
   };
   std::thread other(work);
   work();
@@ -82,7 +82,7 @@ std::vector<Trial> all_trials() {
   return trials;
 }
 
-void rungs_of_random_scenes(std::ostream& out) {
+void levels_of_random_scenes(std::ostream& out) {
   row(out, "tolerance", "closed form", "first order", "coupled", "refused", "error below coupled",
       "error of coupled");
   const std::vector<Trial> trials = all_trials();
@@ -90,8 +90,8 @@ void rungs_of_random_scenes(std::ostream& out) {
     int count[4] = {};
     double below = 0, coupled = 0;
     for (std::size_t i = k; i < trials.size(); i += 3) {
-      ++count[trials[i].rung];
-      double& worst = trials[i].rung < 2 ? below : coupled;
+      ++count[trials[i].level];
+      double& worst = trials[i].level < 2 ? below : coupled;
       worst = std::max(worst, trials[i].error);
     }
     row(out, scientific(random_tolerances[k], 1), count[0], count[1], count[2], count[3],
@@ -99,7 +99,7 @@ void rungs_of_random_scenes(std::ostream& out) {
   }
 }
 
-const FigureData random_scenes_data{"random-scenes", rungs_of_random_scenes};
+const FigureData random_scenes_data{"random-scenes", levels_of_random_scenes};
 
 constexpr int small_count = 300;
 
@@ -127,7 +127,7 @@ std::vector<SmallContact> small_contacts() {
   return contacts;
 }
 
-/// By quantity: stated errors divided by true ones, as far as those can be told.
+/// By quantity: stated errors divided by true ones, as far as those can be resolved.
 using Ratios = std::array<std::vector<double>, compared>;
 
 void compare(const CoupledSolution& x, const CoupledSolution& exact, Ratios& ratios) {
@@ -157,9 +157,9 @@ void stated_errors(std::ostream& out) {
     const auto i = static_cast<std::size_t>(q.quantity);
     if (i >= compared) continue;
     out << q.key;
-    for (const Ratios& rung : ratios)
-      out << ',' << rung[i].size() << ',' << fixed(middle_of(rung[i]), 1) << ','
-          << std::count_if(rung[i].begin(), rung[i].end(), [](double r) { return r < 1; });
+    for (const Ratios& level : ratios)
+      out << ',' << level[i].size() << ',' << fixed(middle_of(level[i]), 1) << ','
+          << std::count_if(level[i].begin(), level[i].end(), [](double r) { return r < 1; });
     out << '\n';
   }
 }

@@ -38,8 +38,8 @@ void small_heat(std::ostream& out) {
     for (const double heating : {0.01, 0.1}) {
       const Scene scene{paper::friction, peclet, heating};
       const CoupledSolution best = solve_coupled(scene, Formulation::corrected, 1e-10, given);
-      for (const auto rung : {closed_form, first_order}) {
-        const CoupledSolution x = rung(scene, Formulation::corrected, 1e-9, given);
+      for (const auto level : {closed_form, first_order}) {
+        const CoupledSolution x = level(scene, Formulation::corrected, 1e-9, given);
         out << ',' << largest_difference(x.value, best.value);
       }
     }
@@ -88,7 +88,7 @@ Worst methods_at_their_worst() {
 
 constexpr int unique_count = 100, starts = 20;
 
-/// How many starts end at the known solution, and at another one that is a contact.
+/// How many starts end at the known solution, and at another admissible one.
 struct Ends {
   int known = 0, other = 0;
 };

@@ -17,7 +17,7 @@ std::vector<std::string> figure_data_names();
 /// std::invalid_argument for an unknown name.
 void write_figure_data(const std::string& name, std::ostream& out);
 
-/// At a contact, at a solution that violates a condition of contact, or refused.
+/// An admissible solution, one that violates a condition of contact, or a refusal.
 enum class Outcome { contact, no_contact, refused };
 
 /// How a solve ends; std::runtime_error is its refusal.

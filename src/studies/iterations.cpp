@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A and B: what h becomes through p-hat and through v-hat, linearised at h.
+/// A and B: the change of h through p-hat and through v-hat, linearised at h.
 MatrixXd through_p(const FluxMap& map, const VectorXd& h) {
   return (map.sigma.array() * slip_factor(map, h)).matrix().asDiagonal() * map.p;
 }
@@ -43,7 +43,7 @@ double relative(const VectorXd& change, const VectorXd& h) {
 
 constexpr double settled = 1e-8;
 
-/// Says when an iteration does not get on.
+/// Tells when an iteration makes no progress.
 struct Patience {
   double best = std::numeric_limits<double>::infinity();
   int since = 0;

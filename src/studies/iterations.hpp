@@ -5,7 +5,7 @@
 
 namespace thermoroll {
 
-/// The same map at another heating; the given one is that of H = 1.
+/// The same map at another value of H; the given one is that of H = 1.
 FluxMap heated(FluxMap unit, double heating);
 
 /// The heat flux without heating, Carter's, at the nodes of the map: where iterations start.
@@ -22,12 +22,12 @@ int picard(const FluxMap& map, Eigen::VectorXd& h, double relaxation = 1);
 int anderson(const FluxMap& map, Eigen::VectorXd& h, Eigen::Index depth = 5);
 int newton(const FluxMap& map, Eigen::VectorXd& h);
 
-/// Lead h by Newton's method from the solution at one heating, > 0, to that at another; the number
-/// of its steps, 0 where the heating cannot be raised by a thousandth.
+/// Continuation by Newton's method: h goes from the solution at one H > 0 to that at another. The
+/// number of Newton steps, 0 if H cannot be raised by a thousandth.
 int follow(const FluxMap& unit, double from, double to, Eigen::VectorXd& h);
 
-/// By how much a step of Picard's iteration, so relaxed, multiplies the error at the solution h:
-/// the spectral radius of @eq:linearised.
+/// The spectral radius of @eq:linearised: by how much a step of Picard's iteration with this
+/// relaxation multiplies the error near the solution h.
 double contraction(const FluxMap& map, const Eigen::VectorXd& h, double relaxation = 1);
 
 }  // namespace thermoroll

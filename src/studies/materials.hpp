@@ -24,7 +24,7 @@ double shear_modulus(const Material& m);
 /// Grüneisen's number, @eq:grueneisen; dimensionless. Poisson's ratio is below 1/2.
 double grueneisen(const Material& m);
 
-/// The heating H of a contact of this a/R, @eq:what-heating-is with kappa = 1; dimensionless.
+/// The ratio H of a contact of this a/R, @eq:what-heating-is with kappa = 1; dimensionless.
 double heating_of_size(const Material& m, double half_width_over_radius);
 
 }  // namespace thermoroll

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Unless told, GSL ends the program where a function overflows.
+// By default GSL ends the program where a function overflows.
 [[maybe_unused]] const auto abort_no_more = gsl_set_error_handler_off();
 
 constexpr auto I0 = gsl_sf_bessel_I0, I1 = gsl_sf_bessel_I1;

@@ -16,7 +16,7 @@ inline constexpr double tractions[] = {0.2, 0.4, 0.5, 0.59};  ///< of its figure
 inline constexpr double peclets[] = {100, 500, 1000, 5000};   ///< of its figures
 inline constexpr Formulation formulation = Formulation::printed;
 
-/// Its friction and heating at another speed.
+/// Its friction and H at another speed.
 Scene scene(double pe);
 
 /// Without heat.

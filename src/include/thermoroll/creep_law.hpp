@@ -37,7 +37,7 @@ struct CreepLaw {
   double temperature_error;  ///< of T* in partial slip; in full slip times xi* over unit_creep
 };
 
-/// A law at a creep; dimensionless, the traction with the creep's sign.
+/// A law evaluated at a creep; dimensionless, the traction with the creep's sign.
 struct LawValue {
   double traction, slope;  ///< Q*, dQ*/dxi*
   double temperature;      ///< the largest T*
@@ -46,9 +46,9 @@ struct LawValue {
 
 /// The law of a scene, for both directions, whatever its own is. The stated errors are below the
 /// tolerance, from 1e-7 to 1e-2, or ten times that where a law of friction has a kink: that of T*
-/// relative to T* at unit_creep. A finite reach is the creep up to which full slip is asked for, by
-/// size. Throws std::invalid_argument for data out of range, NotResolved where the tolerance is met
-/// nowhere.
+/// relative to T* at unit_creep. A finite reach is the size of the creep up to which full slip is
+/// computed. Throws std::invalid_argument for data out of range, NotResolved where the tolerance is
+/// met nowhere.
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
                    double reach = std::numeric_limits<double>::infinity());
 

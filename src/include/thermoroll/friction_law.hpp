@@ -23,7 +23,7 @@ struct FrictionTemperature {
   double scale, floor = 0, reference = 0;
 };
 
-/// A law of @eq:laws; where a FrictionLaw holds one, its target<LawOfFriction>() tells which.
+/// A law of @eq:laws; if a FrictionLaw holds one, its target<LawOfFriction>() is that law.
 struct LawOfFriction {
   LawKind kind;
   FrictionTemperature of;

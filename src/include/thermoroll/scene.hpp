@@ -37,11 +37,11 @@ struct Scene {
 /// The share of the heat that flows into the half-space, K1 / (K1 + K2), @eq:heat-share.
 double heat_share(const Scene& scene);
 
-/// The heating of the slopes of both bodies together, @eq:heating-of-both.
+/// The ratio H of the slopes of both bodies together, @eq:heating-of-both.
 double heating_of_both(const Scene& scene);
 
-/// The thermal strain in units of what this heating gives to the paper's driven pair,
-/// @eq:strain-share; from -1 to 1, and 0 without heating.
+/// The thermal strain relative to that of the paper's driven pair with the same H,
+/// @eq:strain-share; from -1 to 1, and 0 if H = 0.
 double strain_share(const Scene& scene);
 
 /// 1 for driving, -1 for braking.

@@ -17,7 +17,7 @@
 namespace thermoroll {
 
 /// The least model that meets the tolerance; Carter's closed form without thermal deformation, its
-/// first order in the heating, the coupled solver; the published Gauss-Chebyshev scheme.
+/// first order in H, the coupled solver; the published Gauss-Chebyshev scheme.
 enum class Method { automatic, closed_form, first_order, coupled, gauss_chebyshev };
 
 /// How a scene is to be solved.
@@ -31,7 +31,7 @@ struct Approach {
 /// The models that are solved to a tolerance, from the least on.
 enum class Model { closed_form, first_order, coupled };
 
-/// A scene, how it was solved, and what came out.
+/// A scene, the method, and the results.
 struct Solution {
   Scene scene;
   Approach approach;
@@ -39,13 +39,13 @@ struct Solution {
   std::optional<Results> error;  ///< estimated absolute errors; the scheme has none
   std::variant<Carter, PublishedSolution, CoupledSolution> found;
   bool converged = true;
-  std::optional<Model> model{};         ///< the rung of @sec:ladder; the scheme is none
+  std::optional<Model> model{};         ///< the level of @sec:ladder; none for the scheme
   std::string reason{};                 ///< why that one; empty for the scheme
-  std::vector<Violation> violations{};  ///< why it is no contact; empty where it is one
+  std::vector<Violation> violations{};  ///< of @eq:admissible; empty for a contact
   std::vector<GridStep> trace{};        ///< the grids of the coupled solver; empty for the others
 };
 
-/// Solve the scene for what is prescribed.
+/// Solve the scene for the prescribed quantity.
 /// Throws std::invalid_argument for data out of range or a quantity that the method cannot start
 /// from, and std::runtime_error where the coupled solver finds no solution or an integral is not
 /// resolved; an iteration of the scheme that does not converge is told by `converged`.
@@ -58,7 +58,7 @@ struct Peaks {
   double heat_flux;  ///< of v* p*
 };
 
-/// Them and their estimated absolute errors, which the scheme does not have.
+/// The peaks and their estimated absolute errors, which the scheme does not have.
 struct FoundPeaks {
   Peaks value;
   std::optional<Peaks> error;
@@ -86,8 +86,8 @@ struct PhysicalResults {
   double dissipation;              ///< power lost to friction per unit length, W/m
 };
 
-/// Them and their estimated absolute errors in the same units, which the scheme does not have; and
-/// a sentence for each limit of the model that they exceed, as in @eq:limits.
+/// These results and their estimated absolute errors in the same units, which the scheme does not
+/// have; and a note for each limit of @eq:limits that they exceed.
 struct FoundInSi {
   PhysicalResults value;
   std::optional<PhysicalResults> error;
