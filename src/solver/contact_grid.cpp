@@ -144,7 +144,6 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
       const SlipPoint to(1 + z.y(j), 1 - z.y(j));
       in_p(i, j) = j == i ? 0 : z.over_root(j) / (z.zones.slip * t_difference(at, to, to.y - at.y));
     }
-    if (m == 0) continue;                              // in full slip
     const ArrayXd away = z.zones.slip * z.t(i) + z.d;  // s - r
     in_p.row(i).tail(m) = -z.over_root.tail(m).array() / away;
     in_v.row(i) = z.over_w / away;

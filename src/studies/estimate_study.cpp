@@ -156,7 +156,7 @@ std::optional<StudyRow> study_row(int number) try {
         found.error[i] > 10 * best.error[i] ? found.error[i] / known : nan;
   }
   return row;
-} catch (const std::runtime_error&) {
+} catch (const std::exception&) {  // refused, or a creep at which contact is lost
   return std::nullopt;
 }
 
