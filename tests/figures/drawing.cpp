@@ -43,9 +43,11 @@ std::vector<Row> of_panel(const std::vector<Row>& rows, int panel) {
 
 void check_structure(const std::string& figure, const Picture& picture, std::size_t size,
                      Wrong& wrong) {
-  const std::map<std::string, std::string> heights{
-      {"cost", "640"},  {"traction", "600"},     {"slip", "600"},
-      {"speed", "470"}, {"temperatures", "620"}};
+  const std::map<std::string, std::string> heights{{"cost", "640"},
+                                                   {"traction", "600"},
+                                                   {"slip", "600"},
+                                                   {"speed", "470"},
+                                                   {"temperatures", "620"}};
   const auto is_a = [&](const std::string& kind) { return figure.rfind(kind, 0) == 0; };
   const std::string height = heights.count(figure) > 0              ? heights.at(figure)
                              : is_a("speed-")                       ? "260"
@@ -156,7 +158,8 @@ void check_panel(const std::string& figure, const Picture& picture, int number, 
       texts.push_back(item);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const bool ratio = i < labels.size() && labels[i].at("is") == "ratio";
-    words += (ratio ? std::regex_replace(texts[i].what, std::regex("[0-9.]+"), "#") : texts[i].what);
+    words +=
+        (ratio ? std::regex_replace(texts[i].what, std::regex("[0-9.]+"), "#") : texts[i].what);
     words += "; ";
   }
   for (const Row& row : labels) declared_words += row.at("text") + "; ";

@@ -1,7 +1,8 @@
 // The coupled solver: a byte for the formulation, for what is given and for the direction, then the
 // bytes of the friction, the value given, the Peclet number, the heating and the tolerance and, if
-// there are more, of the cylinder's conductivity and heating and, if there are still more, its Peclet
-// number, the bulk difference, and the temperature, floor and reference of a law of friction.
+// there are more, of the cylinder's conductivity and heating and, if there are still more, its
+// Peclet number, the bulk difference, and the temperature, floor and reference of a law of
+// friction.
 #include <array>
 #include <cstring>
 #include <stdexcept>

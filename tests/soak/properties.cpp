@@ -88,8 +88,7 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
                  std::abs(v(stick_slip_border)) < 1 || (slips && given == creep));
   record.require("full slip pulls with the friction", !slips || v(traction) == x.scene.friction);
   record.require("heat, temperature and load ratio are positive",
-                 !contact ||
-                     (v(heat_integral) > 0 && v(max_temperature) > 0 && v(load_ratio) > 0));
+                 !contact || (v(heat_integral) > 0 && v(max_temperature) > 0 && v(load_ratio) > 0));
   // C = xi* + f gamma0; each is a sum of about a hundred terms of its own size or that of f kappa.
   const double f = x.scene.friction;
   record.within("the creep belongs to its constant", v(creep_constant) - v(creep) - f * v(gamma0),

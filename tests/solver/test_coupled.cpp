@@ -520,7 +520,8 @@ TEST(Coupled, HottestOfTwoMaximaIsFound) {
   thermoroll::Scene alike{0.647206866845521, 16724.649331612665, 23.808010822931006};
   alike.direction = thermoroll::Direction::braking;
   alike.roller = {1, alike.heating};
-  for (const auto& [scene, c0] : {std::pair{pair, 0.26914439214229865}, {alike, 0.7278754076556548}}) {
+  for (const auto& [scene, c0] :
+       {std::pair{pair, 0.26914439214229865}, {alike, 0.7278754076556548}}) {
     const auto x = thermoroll::solve_coupled(scene, Formulation::corrected, 1e-5,
                                              {Quantity::stick_slip_border, c0});
     const double top = x.value(Quantity::max_temperature),

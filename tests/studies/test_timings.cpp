@@ -92,7 +92,8 @@ TEST(Timings, MedianHasAsManyAboveAsBelow) {
     for (int k = 0; k < repetitions; ++k)  // 2 has no common divisor with the odd number: all, once
       runs += (k > 0 ? "," : "") + repetition("a", 1 + 2 * k % repetitions, "s");
     const File file(R"({"benchmarks": [)" + runs + "]}");
-    EXPECT_EQ(thermoroll::read_benchmarks(file.path()).times.at("a"), (1 + repetitions) / 2) << repetitions;
+    EXPECT_EQ(thermoroll::read_benchmarks(file.path()).times.at("a"), (1 + repetitions) / 2)
+        << repetitions;
   }
 }
 
@@ -114,15 +115,16 @@ TEST(Timings, RefusesWhatIsNoOutput) {
   EXPECT_THROW(thermoroll::read_benchmarks("no such file"), std::runtime_error);
 }
 
-// The repetitions of some of ten benchmarks lie 1 apart at a least time of 4. Nine of ten is all but
-// one.
+// The repetitions of some of ten benchmarks lie 1 apart at a least time of 4. Nine of ten is all
+// but one.
 TEST(Timings, TellsTheirCircumstances) {
   const auto output = [](int apart) {
     std::string runs;
     for (int k = 0; k < 10; ++k)
       for (const double time : {4.0, k < apart ? 5.0 : 4.0})
         runs += (runs.empty() ? "" : ",") + repetition("a" + std::to_string(k), time, "s");
-    return R"({"context": {"processor": "2 × X", "compiler": "C 1"}, "benchmarks": [)" + runs + "]}";
+    return R"({"context": {"processor": "2 × X", "compiler": "C 1"}, "benchmarks": [)" + runs +
+           "]}";
   };
   for (const auto& [apart, spread] : {std::pair{0, 0.0}, {1, 0.0}, {2, 0.25}}) {
     const File file(output(apart));
