@@ -6,7 +6,7 @@ same_whenever_drawn() {
   local script name
   for script in figures/*.gp; do
     name=$(basename "$script" .gp)
-    case $name in style | cost | speed-*) ;; *) echo "$name" ;; esac
+    case $name in style | cost | speed | speed-*) ;; *) echo "$name" ;; esac
   done
 }
 
