@@ -1,12 +1,13 @@
 # Digits that are right in all of three results against the number of unknowns.
 name = 'convergence'
+height = 365
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
 set logscale x
 set xrange [4:1000]; set yrange [0:12]
 set xtics (5, 10, 20, 50, 100, '' 200, 500)
 set ytics 2
-set bmargin at screen 0.15
+set bmargin at screen 0.18
 set tmargin at screen 0.85
 set xlabel 'unknowns {/:Italic n}' offset 0,0.9
 set key off
@@ -23,9 +24,9 @@ panel(left, right, regime, title) = sprintf("set label 1 '%s' at graph 0, graph 
 set label 100 'correct digits' at screen 0.02, screen 0.965 left
 set multiplot
 set label 2 'coupled' at 28, 9.8 right
-set label 3 'product integration' at 990, 2.9 right
+set label 3 'product integration' at 990, 3 right
 set label 5 'graded panels' at 990, 7.4 right
-set label 4 'published scheme' at 990, 0.6 right
+set label 4 'published scheme' at 990, 0.5 right
 eval panel(0.075, 0.515, 'steel', 'a. Pe = 4360, {/:Italic H} = 0.0175')
 unset label 2; unset label 3; unset label 4; unset label 5; unset label 100
 eval panel(0.56, 0.985, 'hot', 'b. Pe = 100, {/:Italic H} = 1')

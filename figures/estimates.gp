@@ -1,9 +1,10 @@
 # Errors of random scenes: asked and made, and how much larger the stated ones are than the true.
 name = 'estimates'
+height = 330
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
 set tmargin at screen 0.85
-set bmargin at screen 0.15
+set bmargin at screen 0.18
 set logscale xy
 of(word, part) = strcol('part') eq part && strcol('curve') eq word ? column('y') : NaN
 curve(part, word, i) = sprintf("data using 'x':(of('%s', '%s')) with lines linetype %d " \

@@ -94,9 +94,10 @@ HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const Hottes
   };
   HottestPoint top = search(near);
   const std::vector<Index> maxima = flux_maxima(grid, h);
-  for (std::size_t k = 0; k < maxima.size() && maxima.size() > 1; ++k) {
+  if (maxima.size() < 2 || maxima.size() > 8) return top;
+  for (const Index i : maxima) {
     const double n = static_cast<double>(h.size());
-    const HottestPoint other = search({grid.nodes.y[maxima[k]], 0, -n * n});
+    const HottestPoint other = search({grid.nodes.y[i], 0, -n * n});
     if (other.value > top.value * (1 + 1e-9)) top = other;
   }
   return top;

@@ -22,7 +22,7 @@
 namespace thermoroll {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double left_out = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Reported> quantities_of_the_study() {
   std::vector<Reported> all;
@@ -43,7 +43,7 @@ Rows read_study(const std::string& path) {
     std::vector<double> row;
     std::istringstream cells(line + ',');
     for (std::string cell; std::getline(cells, cell, ',');)
-      row.push_back(cell.empty() ? nan : std::stod(cell));
+      row.push_back(cell.empty() ? left_out : std::stod(cell));
     if (row.size() != 3 + studied.size())
       throw std::runtime_error(path + " is not a study: it has a row of " +
                                std::to_string(row.size()) + " cells");
@@ -64,7 +64,7 @@ std::vector<double> column_of(const Rows& rows, std::size_t column) {
 
 /// What so many per cent of ascending numbers do not exceed; NaN of none.
 double percentile(const std::vector<double>& x, std::size_t percent) {
-  return x.empty() ? nan : x[(x.size() - 1) * percent / 100];
+  return x.empty() ? left_out : x[(x.size() - 1) * percent / 100];
 }
 
 void write_achieved(std::ostream& out, const Rows& rows) {
@@ -153,7 +153,7 @@ std::optional<StudyRow> study_row(int number) try {
   for (int i = 0; i < compared; ++i) {
     const double known = std::max(off[i], best.error[i]);
     row.ratio[static_cast<std::size_t>(i)] =
-        found.error[i] > 10 * best.error[i] ? found.error[i] / known : nan;
+        found.error[i] > 10 * best.error[i] ? found.error[i] / known : left_out;
   }
   return row;
 } catch (const std::exception&) {  // refused, or a creep at which contact is lost

@@ -157,15 +157,15 @@ struct HeatOnPanels {
 
 HeatOnPanels heat_on_panels(const Scene& scene, Formulation formulation, const PanelZones& z) {
   const Index n = z.hot.angle.size(), all = n + z.cold.angle.size();
-  const double sign = slope_sign(formulation), share = z.slip * z.slip / 4;
+  const double outward = slope_sign(formulation), share = z.slip * z.slip / 4;
   const double strength = scene.friction * scene.peclet * scene.heating * share;
   HeatOnPanels heat{MatrixXd(all, n), MatrixXd(all, n), MatrixXd(n, n)};
   for (Index i = 0; i < all; ++i) {
     const PanelTarget at =
         i < n ? PanelTarget{z.hot.angle(i), z.from_border(i)} : PanelTarget{0, -z.to_border(i - n)};
     const ArrayX3d row = heat_row(z, scene.peclet, at);
-    heat.f.row(i) = -sign * strength * row.col(0);
-    heat.g.row(i) = strength * (row.col(1) / pi - sign * scene.friction * row.col(0));
+    heat.f.row(i) = -outward * strength * row.col(0);
+    heat.g.row(i) = strength * (row.col(1) / pi - outward * scene.friction * row.col(0));
     if (i < n) heat.temperature.row(i) = share / pi * row.col(2);
   }
   return heat;
