@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# bench_test.sh CASE BENCH PROGRAM: one promise of the benchmarks, run in the project's folder. The cases
+# bench_test.sh CASE BENCH PROGRAM STUDY: one promise of the benchmarks, run in the project's folder. The cases
 # are the functions below that begin with a capital.
 source tests/common.sh
-bench=$2 program=$3
+bench=$2 program=$3 study=$4
 
 # The benchmarks have the names that the report speaks of, each once.
 NamesAreThoseOfTheReport() {
@@ -18,6 +18,20 @@ NamesAreThoseOfTheReport() {
     grep -qxF "$name" "$work/names" || fail "no benchmark $name"
   done
   [ -z "$(sort "$work/names" | uniq -d)" ] || fail "named twice: $(sort "$work/names" | uniq -d)"
+}
+
+# The study's program writes the rows of the committed study, which the program reads.
+StudyIsWrittenAndRead() {
+  "$study" 12 >"$work/study.csv"
+  head -1 figures/measured/study.csv | cmp - <(head -1 "$work/study.csv") || fail "another header"
+  [ "$(sed 1d "$work/study.csv" | cut -d, -f1,2)" = "$(awk -F, -v OFS=, 'NR > 1 && $1 < 12 { print $1, $2 }' figures/measured/study.csv)" ] ||
+    fail "other scenes: $(cat "$work/study.csv")"
+  "$program" figure-data study --study "$work/study.csv" >"$work/table.csv"
+  [ "$(wc -l <"$work/table.csv")" = 9 ] || fail "$(cat "$work/table.csv")"
+  for wrong in "" 0 x; do
+    ! "$study" $wrong >"$work/out" || fail "'$wrong' is no number of scenes"
+    [ ! -s "$work/out" ] || fail "'$wrong' wrote something"
+  done
 }
 
 # The program reads what the benchmarks write.
