@@ -24,7 +24,7 @@ do for [k = 0:11] { set arrow from first 11, graph k/12. to first 12, graph (k +
   linecolor rgb 'grey50' linewidth 0.3 }
 set label 'error of the reference' at 10.9, graph 0.97 right
 
-# From the scheme with 200 nodes, as fast as it gets, to the coupled solver.
+# From the scheme with 200 nodes, cached, to the coupled solver.
 unit = 10**(floor(log10(slow/fast)) - 1)
 set arrow from from + 0.12, slow/1.25 to to - 0.12, fast*1.25 head filled size screen 0.015,20 \
   linecolor rgb 'black' linewidth 0.5

@@ -193,7 +193,7 @@ GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
   const bool crosses = exchanges(scene, zones) || scene.bulk_difference != 0;
   if (!is_unlike(scene) && !crosses) return GridRules(n, zones, scene.peclet);
   const Conduction conduction(scene, false);
-  const auto more = static_cast<int>(8 - 8 * std::log10(conduction.slowest));
+  const auto more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
   return GridRules(n, zones, conduction.peclet, crosses ? more + n / 2 : more);
 }
 
