@@ -1,6 +1,7 @@
 // Tangled from paper/21-hot-friction.md; edit there.
 #include "solver/hot_friction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -66,7 +67,8 @@ HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule, const Matrix
 const GaussLegendre& rule_for_temperatures(const Scene& scene, const ZoneLengths& zones,
                                            const GridRules& rules) {
   const double more = 8 + 5 * decades_beyond(scene.peclet * zones.slip);
-  return rounded_up(4, static_cast<int>(static_cast<double>(rules.graded.x.size()) + more));
+  const double nodes = static_cast<double>(rules.graded.x.size()) + more;
+  return rounded_up(4, static_cast<int>(std::min(nodes, most_unknowns + 24.0)));
 }
 
 }  // namespace thermoroll
