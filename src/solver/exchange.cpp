@@ -311,8 +311,9 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
   const Index n = z.y.size(), m = z.d.size();
   const double fastest = std::max(pair.peclet, pair.peclet_2) * std::max(z.zones.slip, 1.0);
   const double more = 8 + 5 * decades_beyond(fastest);
-  const auto nodes = static_cast<int>(static_cast<double>(std::max(n, m)) + more);
-  const ExchangeRows rows = exchange_rows(pair, z, rules.stick, terms, rounded_up(4, nodes));
+  const double nodes = std::min(static_cast<double>(std::max(n, m)) + more, most_unknowns + 24.0);
+  const ExchangeRows rows =
+      exchange_rows(pair, z, rules.stick, terms, rounded_up(4, static_cast<int>(nodes)));
   MatrixXd right(n + m, terms + 1);
   right << rows.heat, VectorXd::Constant(n + m, pi);
   Exchange x;
