@@ -227,9 +227,9 @@ $(data_files): build/thermoroll | build/data
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
 
-$(study_files): figures/measured/study.csv build/thermoroll | build/data
-	$(call step,computing $@)
-	@build/thermoroll figure-data $(basename $(@F)) --study $< --output $@
+$(study_files): build/data/%: figures/measured/study/% | build/data
+	$(call step,copying $@)
+	@cp $< $@
 
 # Nothing else is computed while the benchmarks run, and they run again only when they are others.
 build/benches-built: build/built | build/release/with-bench
@@ -393,8 +393,9 @@ STUDY_SCENES ?= 10000
 ## study: compare stated with true errors in STUDY_SCENES random scenes, for chapter 13 (minutes)
 study: build/benches-built
 	@$(compile) build/release --target thermoroll-study
-	@build/release/thermoroll-study $(STUDY_SCENES) >build/study.csv
-	@mv build/study.csv figures/measured/study.csv
+	@mkdir -p build/study figures/measured/study
+	@build/release/thermoroll-study $(STUDY_SCENES) build/study
+	@mv build/study/* figures/measured/study/
 
 ## bench: how long the solvers take
 bench: build/thermoroll-bench

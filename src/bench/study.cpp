@@ -1,12 +1,20 @@
 // Tangled from paper/F-data-files.md; edit there.
 #include <cstdlib>
-#include <iostream>
+#include <fstream>
+#include <string>
 
 #include "studies/estimate_study.hpp"
 
 int main(int argc, char** argv) {
-  const int count = argc == 2 ? std::atoi(argv[1]) : 0;
+  const int count = argc == 3 ? std::atoi(argv[1]) : 0;
   if (count <= 0) return 2;
-  thermoroll::write_study(count, std::cout);
-  return std::cout ? 0 : 1;
+  const std::string folder = argv[2];
+  std::ofstream figure(folder + "/estimates.csv"), table(folder + "/study.csv"),
+      values(folder + "/study-values.json"), sample(folder + "/sample.csv");
+  const auto rows = thermoroll::study_rows(count);
+  thermoroll::write_study_figure(figure, rows);
+  thermoroll::write_study_table(table, rows);
+  thermoroll::write_study_values(values, rows);
+  thermoroll::write_study_sample(sample, rows);
+  return figure.flush() && table.flush() && values.flush() && sample.flush() ? 0 : 1;
 }

@@ -25,7 +25,6 @@
 #include "program/law_output.hpp"
 #include "program/sweep.hpp"
 #include "studies/claims.hpp"
-#include "studies/estimate_study.hpp"
 #include "studies/figure_data.hpp"
 #include "studies/timings.hpp"
 #include "support/number_text.hpp"
@@ -243,11 +242,8 @@ void run_creep_curve(const Options& o) {
 void run_figure_data(const Options& o) {
   if (o.list == !o.name.empty())
     throw std::invalid_argument("figure-data needs either a NAME or --list");
-  const bool timed = !o.times.empty(), studied = !o.study.empty();
-  if (timed && studied) throw std::invalid_argument("--times and --study exclude each other");
-  const std::vector<std::string> names = timed     ? timed_data_names()
-                                         : studied ? study_data_names()
-                                                   : figure_data_names();
+  const bool timed = !o.times.empty();
+  const std::vector<std::string> names = timed ? timed_data_names() : figure_data_names();
   if (o.list) return deliver({{joined(names, "\n") + '\n', o.output}});
   if (std::find(names.begin(), names.end(), o.name) == names.end())
     throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
@@ -255,8 +251,6 @@ void run_figure_data(const Options& o) {
   std::ostringstream out;
   if (timed)
     write_timed_data(o.name, read_benchmarks(o.times), out);
-  else if (studied)
-    write_study_data(o.name, o.study, out);
   else
     write_figure_data(o.name, out);
   deliver({{out.str(), o.output}});
@@ -359,8 +353,6 @@ void add_figure_data(CLI::App& program, Options& o) {
   command.add_option("NAME", o.name, "which data")->type_name("");
   command.add_flag("--list", o.list, "print the names that there are, in place of data");
   command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
-      ->type_name("FILE");
-  command.add_option("--study", o.study, "data on estimates, from this output of thermoroll-study")
       ->type_name("FILE");
   add_output(command, o);
 }

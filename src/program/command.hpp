@@ -13,7 +13,7 @@ namespace thermoroll {
 /// The options of the subcommands.
 struct Options {
   SceneOptions of_scene;
-  std::string at, name, times, study, format = "text", language = "c", output, profile;
+  std::string at, name, times, format = "text", language = "c", output, profile;
   double depth = 0;
   Maybe from, to;
   int points = 101;

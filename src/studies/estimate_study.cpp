@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <random>
-#include <sstream>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -33,31 +30,12 @@ std::vector<Reported> quantities_of_the_study() {
 
 const std::vector<Reported> studied = quantities_of_the_study();
 
-using Rows = std::vector<std::vector<double>>;  // number, tolerance, error, ratios
-
-Rows read_study(const std::string& path) {
-  std::ifstream file(path);
-  Rows rows;
-  std::string line;
-  for (std::getline(file, line); std::getline(file, line);) {
-    std::vector<double> row;
-    std::istringstream cells(line + ',');
-    for (std::string cell; std::getline(cells, cell, ',');)
-      row.push_back(cell.empty() ? left_out : std::stod(cell));
-    if (row.size() != 3 + studied.size())
-      throw std::runtime_error(path + " is not a study: it has a row of " +
-                               std::to_string(row.size()) + " cells");
-    rows.push_back(row);
-  }
-  if (rows.empty()) throw std::runtime_error(path + " is not a study: it has no rows");
-  return rows;
-}
-
-/// The numbers of a column that are there, ascending.
-std::vector<double> column_of(const Rows& rows, std::size_t column) {
+/// The ratios of a quantity that are not left out, ascending.
+std::vector<double> ratios_of(const std::vector<StudyRow>& rows, Quantity quantity) {
   std::vector<double> x;
-  for (const auto& row : rows)
-    if (!std::isnan(row[column])) x.push_back(row[column]);
+  for (const StudyRow& row : rows)
+    if (const double ratio = row.ratio[static_cast<std::size_t>(quantity)]; !std::isnan(ratio))
+      x.push_back(ratio);
   std::sort(x.begin(), x.end());
   return x;
 }
@@ -67,61 +45,32 @@ double percentile(const std::vector<double>& x, std::size_t percent) {
   return x.empty() ? left_out : x[(x.size() - 1) * percent / 100];
 }
 
-void write_achieved(std::ostream& out, const Rows& rows) {
-  for (int bin = -18; bin < -4; ++bin) {
-    Rows here;
-    for (const auto& row : rows)
-      if (std::floor(2 * std::log10(row[1])) == bin) here.push_back(row);
-    const std::vector<double> errors = column_of(here, 2);
-    for (const auto& [curve, percent] : {std::pair{"median", 50}, {"99 of 100", 99}, {"all", 100}})
-      row(out, "achieved", curve, std::pow(10, (bin + 0.5) / 2),
-          percentile(errors, static_cast<std::size_t>(percent)));
-  }
-}
-
-void write_histogram(std::ostream& out, const Rows& rows) {
-  for (std::size_t k = 0; k < studied.size(); ++k) {
-    const std::vector<double> ratios = column_of(rows, 3 + k);
-    for (int bin = -4; bin < 28; ++bin) {
-      const auto in_bin = [&](double x) { return std::floor(4 * std::log10(x)) == bin; };
-      const auto count = std::count_if(ratios.begin(), ratios.end(), in_bin);
-      row(out, "ratio", studied[k].key, std::pow(10, (bin + 0.5) / 4),
-          100 * static_cast<double>(count) / static_cast<double>(ratios.size()));
-    }
-  }
-}
-
-void estimates(std::ostream& out, const Rows& rows) {
-  row(out, "part", "curve", "x", "y");
-  write_achieved(out, rows);
-  write_histogram(out, rows);
-}
-
 long too_small(const std::vector<double>& ratios) {
   return std::count_if(ratios.begin(), ratios.end(), [](double x) { return x < 1; });
 }
 
-void by_quantity(std::ostream& out, const Rows& rows) {
-  row(out, "result", "compared", "median", "99 of 100 below", "too small");
-  for (std::size_t k = 0; k < studied.size(); ++k) {
-    const std::vector<double> x = column_of(rows, 3 + k);
-    row(out, studied[k].key, x.size(), fixed(percentile(x, 50), 0), fixed(percentile(x, 99), 0),
-        too_small(x));
+void write_achieved(std::ostream& out, const std::vector<StudyRow>& rows) {
+  for (int bin = -18; bin < -4; ++bin) {
+    std::vector<double> errors;
+    for (const StudyRow& row : rows)
+      if (std::floor(2 * std::log10(row.tolerance)) == bin) errors.push_back(row.error);
+    std::sort(errors.begin(), errors.end());
+    for (const auto& [curve, percent] :
+         {std::pair{"median", 50u}, {"99 of 100", 99u}, {"all", 100u}})
+      row(out, "achieved", curve, std::pow(10, (bin + 0.5) / 2), percentile(errors, percent));
   }
 }
 
-void study_in_prose(std::ostream& out, const Rows& rows) {
-  std::vector<double> all;
-  for (std::size_t k = 0; k < studied.size(); ++k)
-    for (const double x : column_of(rows, 3 + k)) all.push_back(x);
-  std::sort(all.begin(), all.end());
-  nlohmann::ordered_json v;
-  v["study_scenes"] = std::to_string(rows.size());
-  v["study_compared"] = std::to_string(all.size());
-  v["study_median"] = fixed(percentile(all, 50), 0);
-  v["study_beyond"] = std::to_string(too_small(all));
-  v["study_worst"] = fixed(1 / all.front(), 1);
-  out << v.dump(2) << '\n';
+void write_histogram(std::ostream& out, const std::vector<StudyRow>& rows) {
+  for (const Reported& q : studied) {
+    const std::vector<double> ratios = ratios_of(rows, q.quantity);
+    for (int bin = -4; bin < 28; ++bin) {
+      const auto in_bin = [&](double x) { return std::floor(4 * std::log10(x)) == bin; };
+      const auto count = std::count_if(ratios.begin(), ratios.end(), in_bin);
+      row(out, "ratio", q.key, std::pow(10, (bin + 0.5) / 4),
+          100 * static_cast<double>(count) / static_cast<double>(ratios.size()));
+    }
+  }
 }
 
 }  // namespace
@@ -160,49 +109,67 @@ std::optional<StudyRow> study_row(int number) try {
   return std::nullopt;
 }
 
-std::string line_of(const StudyRow& x) {
-  std::ostringstream line;
-  line << std::setprecision(2) << x.number << ',' << x.tolerance << ',' << x.error;
-  for (const Reported& q : studied) {
-    const double ratio = x.ratio[static_cast<std::size_t>(q.quantity)];
-    line << ',';
-    if (!std::isnan(ratio)) line << ratio;
-  }
-  return line.str();
-}
-
-void write_study(int count, std::ostream& out) {
-  std::vector<std::string> lines(static_cast<std::size_t>(count));
+std::vector<StudyRow> study_rows(int count) {
+  std::vector<std::optional<StudyRow>> found(static_cast<std::size_t>(count));
   std::atomic<int> next{0};
   const auto work = [&] {
     for (int number = next++; number < count; number = next++)
-      if (const auto x = study_row(number))
-        lines[static_cast<std::size_t>(number)] = line_of(*x) + '\n';
+      found[static_cast<std::size_t>(number)] = study_row(number);
   };
   std::vector<std::thread> others(std::max(1u, std::thread::hardware_concurrency()));
   for (std::thread& other : others) other = std::thread(work);
   for (std::thread& other : others) other.join();
+  std::vector<StudyRow> rows;
+  for (const auto& row : found)
+    if (row) rows.push_back(*row);
+  return rows;
+}
+
+void write_study_figure(std::ostream& out, const std::vector<StudyRow>& rows) {
+  row(out, "part", "curve", "x", "y");
+  write_achieved(out, rows);
+  write_histogram(out, rows);
+}
+
+void write_study_table(std::ostream& out, const std::vector<StudyRow>& rows) {
+  row(out, "result", "compared", "1 of 100 below", "median", "3 of 4 below", "too small");
+  for (const Reported& q : studied) {
+    const std::vector<double> x = ratios_of(rows, q.quantity);
+    row(out, q.key, x.size(), fixed(percentile(x, 1), 1), fixed(percentile(x, 50), 0),
+        fixed(percentile(x, 75), 0), too_small(x));
+  }
+}
+
+void write_study_values(std::ostream& out, const std::vector<StudyRow>& rows) {
+  std::vector<double> all;
+  for (const Reported& q : studied)
+    for (const double x : ratios_of(rows, q.quantity)) all.push_back(x);
+  std::sort(all.begin(), all.end());
+  double used = 0;  // of the tolerance
+  for (const StudyRow& row : rows) used = std::max(used, row.error / row.tolerance);
+  nlohmann::ordered_json v;
+  v["study_scenes"] = std::to_string(rows.size());
+  v["study_compared"] = std::to_string(all.size());
+  v["study_median"] = fixed(percentile(all, 50), 0);
+  v["study_beyond"] = std::to_string(too_small(all));
+  v["study_worst"] = fixed(1 / all.front(), 1);
+  v["study_used"] = fixed(100 * used, 0);
+  out << v.dump(2) << '\n';
+}
+
+void write_study_sample(std::ostream& out, const std::vector<StudyRow>& rows) {
   out << "number,tolerance,error";
   for (const Reported& q : studied) out << ',' << q.key;
+  for (const StudyRow& x : rows) {
+    if (x.number % 100 != 50) continue;
+    out << std::setprecision(2) << '\n' << x.number << ',' << x.tolerance << ',' << x.error;
+    for (const Reported& q : studied) {
+      const double ratio = x.ratio[static_cast<std::size_t>(q.quantity)];
+      out << ',';
+      if (!std::isnan(ratio)) out << ratio;
+    }
+  }
   out << '\n';
-  for (const std::string& line : lines) out << line;
-}
-
-using StudyWriter = void (*)(std::ostream&, const Rows&);
-
-constexpr std::pair<const char*, StudyWriter> study_writers[] = {
-    {"estimates", estimates}, {"study", by_quantity}, {"study-values", study_in_prose}};
-
-std::vector<std::string> study_data_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, write] : study_writers) names.emplace_back(name);
-  return names;
-}
-
-void write_study_data(const std::string& name, const std::string& path, std::ostream& out) {
-  for (const auto& [known, write] : study_writers)
-    if (name == known) return write(out, read_study(path));
-  throw std::invalid_argument("figure-data: unknown name " + name);
 }
 
 }  // namespace thermoroll

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <ostream>
-#include <string>
 #include <vector>
 
 #include "thermoroll/coupled.hpp"
@@ -31,18 +30,19 @@ struct StudyRow {
 /// Solve the scene of that number, and once more to 1e-10; nothing where either is refused.
 std::optional<StudyRow> study_row(int number);
 
-/// The row as it stands in the file.
-std::string line_of(const StudyRow& x);
+/// The rows of the scenes below a number, in their order, computed on all processors.
+std::vector<StudyRow> study_rows(int count);
 
-/// Write the rows of so many scenes, with a header line, computed on all processors.
-void write_study(int count, std::ostream& out);
+/// The figure's data: largest errors by tolerance, and shares of the ratios. CSV.
+void write_study_figure(std::ostream& out, const std::vector<StudyRow>& rows);
 
-/// The names that write_study_data knows.
-std::vector<std::string> study_data_names();
+/// A row for each quantity. CSV.
+void write_study_table(std::ostream& out, const std::vector<StudyRow>& rows);
 
-/// Write data of that name from a file that write_study() has written: CSV with a header line, but
-/// JSON for "study-values". Throws std::invalid_argument for an unknown name, std::runtime_error
-/// for a file that is not such.
-void write_study_data(const std::string& name, const std::string& path, std::ostream& out);
+/// What the prose quotes. JSON.
+void write_study_values(std::ostream& out, const std::vector<StudyRow>& rows);
+
+/// Rows 50, 150, 250 ... to two digits. CSV.
+void write_study_sample(std::ostream& out, const std::vector<StudyRow>& rows);
 
 }  // namespace thermoroll

@@ -20,17 +20,21 @@ NamesAreThoseOfTheReport() {
   [ -z "$(sort "$work/names" | uniq -d)" ] || fail "named twice: $(sort "$work/names" | uniq -d)"
 }
 
-# The study's program writes the rows of the committed study, which the program reads.
-StudyIsWrittenAndRead() {
-  "$study" 12 >"$work/study.csv"
-  head -1 figures/measured/study.csv | cmp - <(head -1 "$work/study.csv") || fail "another header"
-  [ "$(sed 1d "$work/study.csv" | cut -d, -f1,2)" = "$(awk -F, -v OFS=, 'NR > 1 && $1 < 12 { print $1, $2 }' figures/measured/study.csv)" ] ||
-    fail "other scenes: $(cat "$work/study.csv")"
-  "$program" figure-data study --study "$work/study.csv" >"$work/table.csv"
-  [ "$(wc -l <"$work/table.csv")" = 9 ] || fail "$(cat "$work/table.csv")"
-  for wrong in "" 0 x; do
-    ! "$study" $wrong >"$work/out" || fail "'$wrong' is no number of scenes"
-    [ ! -s "$work/out" ] || fail "'$wrong' wrote something"
+# The study's program writes files like the committed ones, and of the same scenes.
+StudyIsWritten() {
+  local file wrong measured=figures/measured/study
+  mkdir "$work/study"
+  "$study" 52 "$work/study" # of which number 50 is in the sample
+  for file in "$measured"/*; do
+    [ "$(head -1 "$file")" = "$(head -1 "$work/study/${file##*/}")" ] || fail "another header of $file"
+  done
+  [ "$(cut -d, -f1,2 "$work/study/sample.csv")" = "$(head -2 "$measured/sample.csv" | cut -d, -f1,2)" ] ||
+    fail "other scenes: $(cat "$work/study/sample.csv")"
+  for file in estimates study; do
+    cmp <(wc -l <"$work/study/$file.csv") <(wc -l <"$measured/$file.csv") || fail "$file.csv is not as long"
+  done
+  for wrong in "" 0 x "-1" "5 $work/nowhere" "5 $work/study extra"; do
+    ! "$study" $wrong "$work/none" || fail "'$wrong' was taken"
   done
 }
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <set>
 
-#include "studies/estimate_study.hpp"
 #include "studies/figure_data.hpp"
 #include "table.hpp"
 
@@ -22,8 +21,7 @@ Table sidecar() { return read_table(golden_folder + "tolerances.csv"); }
 // The tables that the program lists, without those that rest on times.
 std::vector<std::string> tables() {
   std::vector<std::string> names = thermoroll::figure_data_names();
-  for (const std::string& name : thermoroll::study_data_names()) names.push_back(name);
-  std::erase_if(names, [](const auto& name) { return name == "values" || name == "study-values"; });
+  std::erase(names, "values");
   return names;
 }
 

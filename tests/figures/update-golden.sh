@@ -19,8 +19,7 @@ replace() {
 }
 
 # What the program lists, and no table that an earlier one has left in build/data.
-names=$(build/thermoroll figure-data --list
-  build/thermoroll figure-data --list --study figures/measured/study.csv | grep -vx study-values)
+names=$(build/thermoroll figure-data --list)
 for golden in figures/golden/*.csv; do
   name=$(basename "$golden" .csv)
   [ "$name" = tolerances ] || [ ! -e "$golden" ] || grep -qx "$name" <<<"$names" || rm "$golden"

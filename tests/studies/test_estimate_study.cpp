@@ -7,32 +7,35 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "studies/estimate_study.hpp"
 
 namespace {
 
-/// The lines of the committed study by the number of their scene.
-std::map<int, std::string> committed() {
-  std::ifstream file(THERMOROLL_ROOT "/figures/measured/study.csv");
-  std::map<int, std::string> lines;
+using thermoroll::StudyRow;
+
+/// The lines of a file of the committed study, without its header.
+std::vector<std::string> lines_of(const std::string& name) {
+  std::ifstream file(THERMOROLL_ROOT "/figures/measured/study/" + name);
+  std::vector<std::string> lines;
   std::string line;
-  for (std::getline(file, line); std::getline(file, line);) lines[std::stoi(line)] = line;
+  for (std::getline(file, line); std::getline(file, line);) lines.push_back(line);
   return lines;
 }
 
-std::vector<double> cells(const std::string& line) {
-  std::vector<double> found;
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> found;
   std::istringstream stream(line + ',');
-  for (std::string cell; std::getline(stream, cell, ',');)
-    found.push_back(cell.empty() ? -1 : std::stod(cell));
+  for (std::string cell; std::getline(stream, cell, ',');) found.push_back(cell);
   return found;
 }
 
-std::string written(const std::string& name, const std::string& path) {
+using Writer = void (*)(std::ostream&, const std::vector<StudyRow>&);
+
+std::string written(Writer write, const std::vector<StudyRow>& rows) {
   std::ostringstream out;
-  thermoroll::write_study_data(name, path, out);
+  write(out, rows);
   return out.str();
 }
 
@@ -42,60 +45,89 @@ std::string written(const std::string& name, const std::string& path) {
 // another by rounding. A true error near that of rounding has no digits, nor has a ratio of more
 // than 1e4.
 TEST(Study, ASampleIsWhatItWas) {
-  const auto lines = committed();
-  ASSERT_GT(lines.size(), 9000u);
-  int solved = 0;
+  std::map<int, std::string> sample;
+  for (const std::string& line : lines_of("sample.csv")) sample[std::stoi(line)] = line;
+  ASSERT_GT(sample.size(), 80u);
   for (int number = 50; number < 10000; number += 100) {
     const auto x = thermoroll::study_row(number);
-    ASSERT_EQ(x.has_value(), lines.count(number) == 1) << number;
+    ASSERT_EQ(x.has_value(), sample.count(number) == 1) << number;
     if (!x) continue;
-    ++solved;
-    const auto then = cells(lines.at(number)), now = cells(line_of(*x));
+    std::istringstream stream(written(thermoroll::write_study_sample, {*x}));
+    std::string header, line;
+    std::getline(stream, header);
+    std::getline(stream, line);
+    const auto then = cells(sample.at(number)), now = cells(line);
     ASSERT_EQ(then.size(), now.size());
     EXPECT_EQ(then[1], now[1]) << number;
     if (x->error < 1e-10) continue;
-    for (std::size_t i = 2; i < now.size(); ++i)
-      EXPECT_NEAR(now[i], then[i], std::abs(then[i]) * (then[i] > 1e4 ? 1 : 0.11)) << x->number;
+    for (std::size_t i = 2; i < now.size(); ++i) {
+      ASSERT_EQ(then[i].empty(), now[i].empty()) << number;
+      if (now[i].empty()) continue;
+      const double old = std::stod(then[i]);
+      EXPECT_NEAR(std::stod(now[i]), old, old * (old > 1e4 ? 1 : 0.11)) << number;
+    }
   }
-  EXPECT_GT(solved, 80);
+}
+
+// The sample is of these scenes: a quarter of its ratios at least are below the median of all, and
+// a quarter above. Its ratios of a quantity are 80 to 100, of which half is a matter of chance with
+// a standard deviation of at most 5; a quarter is five of them away.
+TEST(Study, SampleIsOfTheseScenes) {
+  const auto sample = lines_of("sample.csv"), table = lines_of("study.csv");
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const double median = std::stod(cells(table[k])[3]);
+    int below = 0, all = 0;
+    for (const std::string& line : sample) {
+      const std::string ratio = cells(line)[3 + k];
+      all += ratio.empty() ? 0 : 1;
+      below += !ratio.empty() && std::stod(ratio) < median ? 1 : 0;
+    }
+    EXPECT_GT(all, 80) << table[k];
+    EXPECT_GE(4 * below, all) << table[k];
+    EXPECT_LE(4 * below, 3 * all) << table[k];
+  }
 }
 
 // What the chapter says: no tolerance is missed, and of a thousand stated errors at most one is too
 // small, by a factor of ten at most.
 TEST(Study, EstimatesAreHonest) {
   long compared = 0, beyond = 0;
-  for (const auto& [number, line] : committed()) {
-    const auto row = cells(line);
-    EXPECT_LE(row[2], row[1]) << line;
-    for (std::size_t i = 3; i < row.size(); ++i) {
-      if (row[i] < 0) continue;
-      ++compared;
-      beyond += row[i] < 1 ? 1 : 0;
-      EXPECT_GT(row[i], 0.1) << line;
-    }
+  for (const std::string& line : lines_of("study.csv")) {
+    compared += std::stol(cells(line)[1]);
+    beyond += std::stol(cells(line)[5]);
   }
   EXPECT_GT(compared, 50000);
   EXPECT_LE(beyond, compared / 1000);
+  for (const std::string& line : lines_of("estimates.csv")) {
+    const auto cell = cells(line);
+    EXPECT_TRUE(cell[0] != "ratio" || std::stod(cell[2]) > 0.1 || cell[3] == "0") << line;
+  }
+  std::ifstream file(THERMOROLL_ROOT "/figures/measured/study/study-values.json");
+  const auto values = nlohmann::json::parse(file);
+  EXPECT_LE(std::stod(values.at("study_used").get<std::string>()), 100);
+  EXPECT_EQ(std::stol(values.at("study_compared").get<std::string>()), compared);
+  EXPECT_EQ(std::stol(values.at("study_beyond").get<std::string>()), beyond);
 }
 
 // Three rows by hand: ratios 2, 4 and none of the traction; 0.5, 10 and 20 of the border.
 TEST(Study, IsSummedUp) {
-  const std::string path = testing::TempDir() + "thermoroll-study-" + std::to_string(getpid());
-  std::ofstream(path) << "number,tolerance,error,a,b,c,d,e,f,g,h\n"
-                         "1,2e-5,1e-7,2,0.5,1,1,1,1,1,1\n"
-                         "2,2e-5,3e-7,4,10,1,1,1,1,1,1\n"
-                         "4,2e-5,2e-7,,20,1,1,1,1,1,1\n";
-  const std::string table = written("study", path), data = written("estimates", path),
-                    values = written("study-values", path);
-  EXPECT_NE(table.find("\ntraction,2,2,2,0\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("\nstick_slip_border,3,10,10,1\n"), std::string::npos) << table;
+  const double none = std::nan("");
+  const std::vector<StudyRow> rows = {{1, 2e-5, 1e-7, {0.5, 1, 2, 1, 1, 1, 1, 1, 1}},
+                                      {150, 2e-5, 6e-7, {10, 1, 4, 1, 1, 1, 1, 1, 1}},
+                                      {250, 2e-5, 2e-7, {20, 1, none, 1, 1, 1, 1, 1, 1}}};
+  const std::string table = written(thermoroll::write_study_table, rows),
+                    data = written(thermoroll::write_study_figure, rows),
+                    values = written(thermoroll::write_study_values, rows),
+                    sample = written(thermoroll::write_study_sample, rows);
+  EXPECT_NE(table.find("\ntraction,2,2.0,2,2,0\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\nstick_slip_border,3,0.5,10,10,1\n"), std::string::npos) << table;
   EXPECT_NE(data.find("\nachieved,median,1.77828e-05,2e-07\n"), std::string::npos) << data;
-  EXPECT_NE(data.find("\nachieved,all,1.77828e-05,3e-07\n"), std::string::npos) << data;
+  EXPECT_NE(data.find("\nachieved,all,1.77828e-05,6e-07\n"), std::string::npos) << data;
   EXPECT_NE(data.find("\nratio,traction,2.37137,50\n"), std::string::npos) << data;
-  for (const char* value : {R"("study_scenes": "3")", R"("study_compared": "23")",
-                            R"("study_beyond": "1")", R"("study_worst": "2.0")"})
+  for (const char* value :
+       {R"("study_scenes": "3")", R"("study_compared": "23")", R"("study_beyond": "1")",
+        R"("study_worst": "2.0")", R"("study_used": "3")"})
     EXPECT_NE(values.find(value), std::string::npos) << values;
-  std::remove(path.c_str());
-  EXPECT_THROW(written("study", path), std::runtime_error);
-  EXPECT_THROW(written("traction", path), std::invalid_argument);
+  EXPECT_EQ(sample.substr(sample.find('\n')),
+            "\n150,2e-05,6e-07,4,10,1,1,1,1,1,1\n250,2e-05,2e-07,,20,1,1,1,1,1,1\n");
 }
