@@ -593,6 +593,17 @@ local function shortened(svg)
     :gsub("<g [^>]*></g>", ""))
 end
 
+--- What most groups of a drawing have in common, which they inherit from the whole in the page.
+local common = 'fill="none" stroke="currentColor" stroke-width="0.8" stroke-linecap="round" '
+  .. 'stroke-linejoin="round" font-family="sans-serif" font-size="17"'
+
+local function without_the_common(svg)
+  return (svg:gsub('<g fill="none" color="currentColor" stroke="currentColor"', "<g")
+    :gsub(' stroke%-linecap="round" stroke%-linejoin="round"', ""):gsub('<g stroke%-width="0.80">', "<g>")
+    :gsub(' font%-family="sans%-serif"', ""):gsub(' font%-size="17.00"', "")
+    :gsub('<rect[^>]*fill="none"/>', ""))
+end
+
 --- A figure's SVG as part of the page: ids of its own, the page's colours, a text for those who do
 --- not see it. A colour #rrggbb becomes the variable --ink-rrggbb where the style sheet has one.
 local function inline_svg(svg, name, alternative)
@@ -613,10 +624,10 @@ local function inline_svg(svg, name, alternative)
     :gsub("(%sid=[\"'])", "%1" .. name .. "-"):gsub("(url%(#)", "%1" .. name .. "-")
     :gsub("(href=[\"']#)", "%1" .. name .. "-")
   local box = svg:match("viewBox=\"[^\"]*\"") or ""
-  return (svg:gsub("^<svg.->", function()
+  return (without_the_common(svg):gsub("^<svg.->", function()
     return string.format('<svg xmlns="http://www.w3.org/2000/svg" '
-      .. 'xmlns:xlink="http://www.w3.org/1999/xlink" %s role="img" aria-label="%s">',
-      box, escape(alternative))
+      .. 'xmlns:xlink="http://www.w3.org/1999/xlink" %s %s role="img" aria-label="%s">',
+      box, common, escape(alternative))
   end))
 end
 

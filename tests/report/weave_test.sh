@@ -26,6 +26,8 @@ draw() {
 <desc>Produced by GNUPLOT 5.4 patchlevel 4 </desc>
 <g id="gnuplot_canvas">
 <rect x="0" y="0" width="600" height="400" fill="#ffffff"/>
+<g fill="none" color="black" stroke="currentColor" stroke-width="0.80" stroke-linecap="round" stroke-linejoin="round">
+<path stroke='black' d='M0,0 L2,2'/></g>
 <path id='gpPt0' stroke='black' d='M0,0 L1,1'/><use xlink:href='#gpPt0' color='rgb(  0, 114, 178)'/>
 </g></svg>
 END
@@ -446,7 +448,8 @@ FiguresKeepTheirIdsApart() {
 END
   expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
   expect_html 'aria-label="A curve &amp; more"' "id='f-gpPt0'" "href='#f-gpPt0'" "id='g-gpPt0'" \
-    "stroke='currentColor'" "color='var(--ink-0072b2)'" 'id="script:f"' \
+    "stroke='currentColor'" "color='var(--ink-0072b2)'" "<g><path stroke='currentColor' d='m0 0 2 2'/></g>" \
+    'viewBox="0 0 600 400" fill="none" stroke="currentColor" stroke-width="0.8" stroke-linecap="round"' 'id="script:f"' \
     'download="f.csv.gz"'
   if grep -q 'fill="#ffffff"' page.html; then fail "the white ground is still there"; fi
 }
