@@ -5,6 +5,8 @@
 set -eu
 
 [ -z "$(git status --porcelain)" ] || { echo "verify: there are changes that are not committed" >&2; exit 1; }
+rm -f build/report.html build/paper.html # they may tell an earlier revision
+make --no-print-directory report
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 git clone -q . "$folder/elsewhere with a blank"
