@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "studies/comparison.hpp"
 #include "studies/data.hpp"
+#include "support/number_text.hpp"
 
 namespace thermoroll {
 namespace {
@@ -69,6 +72,13 @@ void digits_by_unknowns(std::ostream& out) {
 
 const FigureData convergence_data{"convergence", digits_by_unknowns};
 
+double digits_of(const Regime& regime, const std::string& name) {
+  const auto all = runs(regime);
+  const auto run = std::find_if(all.begin(), all.end(),
+                                [&](const Run& x) { return x.name.starts_with(name + "/"); });
+  return right_digits(run->find(), reference(regime));
+}
+
 void cost(std::ostream& out) {
   row(out, "tolerance", "heating", "peclet", "name", "unknowns");
   for (const auto& [scene, run] : cost_runs())
@@ -79,4 +89,18 @@ void cost(std::ostream& out) {
 const FigureData cost_data{"cost", cost};
 
 }  // namespace
+
+void values_on_digits(nlohmann::ordered_json& v) {
+  const Regime &wheel = regimes[0], &hot = regimes[2];
+  const std::string scheme = "gauss_chebyshev_thrifty/n:", means = "gauss_chebyshev_moments/n:";
+  v["digits_closed_form"] = fixed(digits_of(wheel, "closed_form"), 1);
+  v["digits_first_order"] = fixed(digits_of(wheel, "first_order"), 1);
+  v["digits_scheme_25"] = fixed(digits_of(wheel, scheme + "25"), 1);
+  v["digits_scheme_200"] = fixed(digits_of(wheel, scheme + "200"), 1);
+  v["digits_scheme_800"] = fixed(digits_of(wheel, scheme + "800"), 1);
+  v["digits_coupled_6"] = fixed(digits_of(wheel, "coupled/tol:1e-06"), 0);
+  const double gained = digits_of(hot, means + "400") - digits_of(hot, means + "25");
+  v["digits_doubling"] = fixed(gained / std::log2(400 / 25), 1);
+}
+
 }  // namespace thermoroll

@@ -187,6 +187,11 @@ void times_in_prose(std::ostream& out, const Benchmarks& run) {
     v[std::string("speed_panels_6_") + regime.name] = fixed(panels.six / coupled.six, 1);
     v[std::string("speed_panels_8_") + regime.name] = fixed(panels.eight / coupled.eight, 1);
   }
+  const double coarse = time_of(run.times, "coupled/tol:1e-06/Pe:100/H:0.0175"),
+               middle = time_of(run.times, "coupled/tol:1e-08/Pe:100/H:0.0175"),
+               fine = time_of(run.times, "coupled/tol:1e-08/Pe:1000/H:0.0175");
+  v["speed_doubled_30"] = fixed(middle / coarse, 1);
+  v["speed_doubled_60"] = fixed(fine / middle, 1);
   v["speed_digits"] = to_two_digits(of("coupled/tol:1e-10") / of("coupled/tol:0.01"));
   v["speed_scheme"] = duration(scheme);
   v["speed_thrifty"] = duration(thrifty);

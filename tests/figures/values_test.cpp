@@ -93,6 +93,14 @@ TEST(Values, AreWithinTheirTolerance) {
   EXPECT_TRUE(wrong.empty()) << testing::PrintToString(wrong);
 }
 
+TEST(Values, AreFinite) {
+  const Values values = read_values("/build/data/values.json");
+  for (const auto& [key, value] : values.items()) {
+    const std::string text = value.get<std::string>();
+    EXPECT_FALSE(text.ends_with("nan") || text.ends_with("inf")) << key << ": " << text;
+  }
+}
+
 // What the comparison is for: every value is guarded, its sign and its last digit as well.
 TEST(Values, DamageIsSeen) {
   const Values golden = read_values("/figures/golden/values.json");
