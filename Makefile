@@ -329,7 +329,7 @@ test: $(tested)
 	$(build_tests)
 	@$(ctest) --test-dir build/release -LE release
 
-## test-release: the rarest tests of the Makefile, which take a copy of the project or configure it anew
+## test-release: the unit tests under the sanitizers, and the rarest and longest tests
 test-release: $(tested)
 	$(build_tests)
 	@$(ctest) --test-dir build/release -L release

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -65,6 +66,7 @@ Times every_run(double coupled, double scheme) {
   for (const Regime& regime : thermoroll::regimes)
     for (const auto& run : thermoroll::runs(regime))
       times[run.name] = 1e-3 * (run.method == "coupled" ? coupled : scheme);
+  for (const auto& [scene, run] : thermoroll::cost_runs()) times[run.name] = 1e-3 * coupled;
   return times;
 }
 
@@ -140,9 +142,9 @@ TEST(Timings, TellsTheirCircumstances) {
 
 namespace {
 
-/// What the prose says by that key.
-std::string said(const Times& times, const std::string& key) {
-  const std::string text = written("speed", times), before = '"' + key + "\": \"";
+/// What the prose, written before, says by that key.
+std::string said(const std::string& text, const std::string& key) {
+  const std::string before = '"' + key + "\": \"";
   const std::size_t at = text.find(before);
   if (at == std::string::npos) return "nothing";
   return text.substr(at + before.size(), text.find('"', at + before.size()) - at - before.size());
@@ -162,20 +164,34 @@ Times with_random_scenes(Times times) {
 TEST(Timings, RatiosAreOfTheirTimes) {
   Times times = with_random_scenes(every_run(1.1, 150));
   times.at("gauss_chebyshev_thrifty/n:200/Pe:4360/H:0.0175") = 8e-3;
-  EXPECT_EQ(said(times, "speed_ratio_6"), "140");  // 136.4, of which two digits are told
-  EXPECT_EQ(said(times, "speed_ratio_cached_6"), "7.3");
-  EXPECT_EQ(said(times, "speed_ratio_load"), "140");
-  EXPECT_EQ(said(times, "speed_ratio_once"), "1.0");  // it is not the coupled solver's time
-  EXPECT_EQ(said(times, "speed_ratio_curve"), "140");
+  times.at("coupled/tol:1e-08/Pe:100/H:0.0175") *= 3;
+  times.at("coupled/tol:1e-08/Pe:1000/H:0.0175") *= 21;
+  const std::string text = written("speed", times);
+  EXPECT_EQ(said(text, "speed_doubled_30"), "3.0");
+  EXPECT_EQ(said(text, "speed_doubled_60"), "7.0");
+  EXPECT_EQ(said(text, "speed_ratio_6"), "140");  // 136.4, of which two digits are told
+  EXPECT_EQ(said(text, "speed_ratio_cached_6"), "7.3");
+  EXPECT_EQ(said(text, "speed_ratio_load"), "140");
+  EXPECT_EQ(said(text, "speed_ratio_once"), "1.0");  // it is not the coupled solver's time
+  EXPECT_EQ(said(text, "speed_ratio_curve"), "140");
 }
 
 // A time is written in microseconds below a millisecond, and to two digits at least from 1 µs on.
 TEST(Timings, TimesAreInTheirUnit) {
-  const std::pair<double, const char*> expected[] = {
-      {2e-3, "2.0 µs"}, {9.94e-3, "9.9 µs"}, {0.02, "20 µs"}, {0.9, "900 µs"},
-      {1.0, "1.0 ms"},  {9.94, "9.9 ms"},    {12, "12 ms"},   {2000, "2000 ms"}};
-  for (const auto& [milliseconds, text] : expected)
-    EXPECT_EQ(said(with_random_scenes(every_run(milliseconds, 150)), "speed_time_6"), text);
+  using Expected = std::array<std::pair<double, const char*>, 4>;
+  const std::array<std::pair<const char*, const char*>, 4> runs = {
+      {{"coupled/tol:1e-06/Pe:4360/H:0.0175", "speed_time_6"},
+       {"gauss_chebyshev/n:200/Pe:4360/H:0.0175", "speed_scheme"},
+       {"temperature_curve/points:400", "speed_time_curve"},
+       {"temperature_curve_coupled/points:400", "speed_time_curve_coupled"}}};
+  for (const Expected& expected :
+       {Expected{{{2e-6, "2.0 µs"}, {9.94e-6, "9.9 µs"}, {2e-5, "20 µs"}, {9e-4, "900 µs"}}},
+        Expected{{{1e-3, "1.0 ms"}, {9.94e-3, "9.9 ms"}, {0.012, "12 ms"}, {2, "2000 ms"}}}}) {
+    Times times = with_random_scenes(every_run(1, 150));
+    for (std::size_t i = 0; i < 4; ++i) times.at(runs[i].first) = expected[i].first;
+    const std::string text = written("speed", times);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(said(text, runs[i].second), expected[i].second);
+  }
 }
 
 // What the least model saves is how much longer the coupled one takes for the same random scenes;
