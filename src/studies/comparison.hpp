@@ -56,9 +56,9 @@ Found on_one_grid(const Regime& regime, int n);
 /// The reference of all methods: the coupled solver at its least tolerance.
 Found reference(const Regime& regime);
 
-/// Errors of the coupled solver on Carter's problem with f = 0.3 and a stick zone of 0.6 a: the
-/// force at Carter's creep and the creep at his force, relative; the traction at its worst node,
-/// per f p0.
+/// Errors of the coupled solver on Carter's problem with f = 0.3 and a stick zone of half-width 0.6
+/// a: the force at Carter's creep and the creep at his force, relative; the traction at its worst
+/// node, per f p0.
 struct CarterErrors {
   int unknowns;
   double force, creep, traction;

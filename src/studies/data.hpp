@@ -28,10 +28,7 @@ void row(std::ostream& out, const First& first, const Rest&... rest) {
 /// n + 1 equidistant points from low to high.
 std::vector<double> grid(double low, double high, int n);
 
-/// Add the numbers that the prose quotes of @sec:resolution, @sec:speed, @sec:failures,
-/// @sec:least-model,
-/// @sec:what-heat-can-do, @sec:two-bodies, @sec:full-slip, @sec:hot-friction and @fig:brief, as
-/// strings.
+/// Add the numbers that the prose quotes of a chapter, or of @fig:brief, as strings.
 void values_on_resolution(nlohmann::ordered_json& v);
 void values_on_digits(nlohmann::ordered_json& v);
 void values_on_failures(nlohmann::ordered_json& v);

@@ -12,7 +12,7 @@ namespace thermoroll {
 using Times = std::map<std::string, double>;
 
 /// The times of one run of the benchmarks, each the median of its repetitions, and what they are
-/// worth: by how much most repetitions (nine of ten benchmarks) differ, relative to the median.
+/// worth: by how much most repetitions (nine of ten benchmarks) differ, relative to the shortest.
 struct Benchmarks {
   Times times;
   std::string processor{}, compiler{};

@@ -33,9 +33,10 @@ StudyIsWritten() {
   for file in estimates study; do
     cmp <(wc -l <"$work/study/$file.csv") <(wc -l <"$measured/$file.csv") || fail "$file.csv is not as long"
   done
-  for wrong in "" 0 x "-1" "5 $work/nowhere" "5 $work/study extra"; do
-    ! "$study" $wrong "$work/none" || fail "'$wrong' was taken"
+  for wrong in "" 0 x "-1" "5 $work/study"; do
+    ! "$study" $wrong "$work/study" || fail "'$wrong' was taken"
   done
+  ! "$study" 5 "$work/nowhere" || fail "a folder that is not there was taken"
 }
 
 # The program reads what the benchmarks write.

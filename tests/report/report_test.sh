@@ -139,7 +139,9 @@ ShortVersionLeadsIntoTheReport() {
 ReviewersCommandsPrintThis() {
   count=0
   while IFS=$'\t' read -r command expected; do
-    bash -c "$command" >"$work/out" 2>&1 || true
+    status=0
+    bash -c "$command" >"$work/out" 2>&1 || status=$?
+    [ "$status" = "$(grep -F -- "$command\`" paper/08-results.md | grep -q 'status 2' && echo 2 || echo 0)" ] || fail "'$command' ends with status $status"
     grep -qF -- "$expected" "$work/out" || fail "'$command' does not print '$expected': $(cat "$work/out")"
     count=$((count + 1))
   done < <(awk -F'`' '/^### For reviewers/ { on = 1 } /#tbl:reviewers/ { on = 0 }

@@ -98,7 +98,7 @@ struct FoundInSi {
 };
 
 /// Results and peaks of a scene in SI units; x solves scene_of(si, ...).
-/// The half-width of c is exact, or it is that of half_width_of_radius().
+/// The half-width of si is exact, or it is that of half_width_of_radius().
 FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius = false);
 
 /// An iteration did not converge.
@@ -115,7 +115,7 @@ struct NoContact : std::runtime_error {
 void require_contact(const Solution& x);
 
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
-/// solve(); c.half_width is not used. Throws NotConverged, and as solve() does.
+/// solve(); si.half_width is not used. Throws NotConverged, and as solve() does.
 double half_width_of_radius(PhysicalScene si, double radius, double friction,
                             const Prescribed& given, const Approach& approach);
 
