@@ -303,10 +303,13 @@ local function formula(math)
   return pandoc.RawInline("html", html or "")
 end
 
+local linked_to_its_chunk -- of section 7: (key, number) -> number
+
 local function value_in_text(key, written)
   local text = value(key, written)
-  if text:find("[\\^]") then return formula(pandoc.Math("InlineMath", (text:gsub("%$", "")))) end
-  return pandoc.Str((text:gsub("^-", "−")))
+  local shown = text:find("[\\^]") and formula(pandoc.Math("InlineMath", (text:gsub("%$", ""))))
+    or pandoc.Str((text:gsub("^-", "−")))
+  return linked_to_its_chunk(key, shown)
 end
 
 local function code(inline)
@@ -815,6 +818,34 @@ end
 
 local function anchor(piece)
   return "lst:" .. piece.id .. (piece.part > 1 and ":" .. piece.part or "")
+end
+
+--- The chunks that write values, by the words in their lines such as v["steel_peclet"] = … or
+--- v[name + "_border"] = …
+local writers
+local function writer_of(key)
+  if not writers then
+    writers = {}
+    for _, piece in ipairs(pieces) do
+      for _, line in ipairs(piece.code) do
+        local index = line:match("%f[%w]v(%b[])")
+        for word in (index or ""):gmatch('"([%w_]+)"') do writers[word] = writers[word] or piece end
+      end
+    end
+  end
+  for length = #key, 4, -1 do
+    local piece = writers[key:sub(1, length)] or writers[key:sub(-length)]
+    if piece then return piece end
+  end
+end
+
+--- A number with a link to the chunk that writes it.
+function linked_to_its_chunk(key, number)
+  local piece = writer_of(key)
+  if not piece then return number end
+  local html = number.text
+  if number.t == "Str" then html = escape(html) end
+  return pandoc.RawInline("html", (link(anchor(piece), html):gsub("<a ", '<a class="computed" title="' .. key .. '" ', 1)))
 end
 
 local function file_link(path) return link("file:" .. path, "<code>" .. escape(path) .. "</code>") end

@@ -19,6 +19,7 @@
 #include "solver/surface.hpp"
 #include "studies/comparison.hpp"
 #include "studies/paper_scene.hpp"
+#include "studies/sampling.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/creep_law.hpp"
 #include "thermoroll/friction_law.hpp"
@@ -143,9 +144,7 @@ void against_one_body(benchmark::State& state, const Solve& alone, const Solve& 
     state.ResumeTiming();
     ratios.push_back(seconds(extended) / unit);
   }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  state.SetLabel(fixed(*middle, 2) + " times one body");
+  state.SetLabel(fixed(median(ratios), 2) + " times one body");
 }
 
 using Three = std::array<Prescribed, 3>;

@@ -146,9 +146,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   if (scene.law && !bent && !slow && !level.crossing)
     left = estimate_with_law(change, last.h, level.h);
   if (level.crossing && !bent) {
-    const double most = 0.5 * change.head(compared).maxCoeff();
+    const double half = 0.5 * change.head(compared).maxCoeff();
     const bool rough = scene.bulk_difference != 0 && n <= 40;
-    left = std::max({flat ? 0 : left, most, rough ? 2 * change(max_temperature) : 0});
+    left = std::max({flat ? 0 : left, half, rough ? 2 * change(max_temperature) : 0});
   }
   return {value, change, left + rounding(given, slope, scale)};
 }
@@ -344,7 +344,7 @@ Profile profile(const CoupledSolution& x) {
   const Nodes& z = grid.nodes;
   const Index n = z.y.size(), m = z.d.size();
   const Factors at = factors(grid, x.h);
-  ArrayXd right(m + n);  // 1 - s, with all its digits
+  ArrayXd right(m + n);  // 1 - s
   right << z.zones.slip + z.d.reverse(), z.zones.slip * (1 - z.t);
   Profile profile{at.s, (right * (1 + at.s)).sqrt() * at.pressure, {}, {}, {}, {}};
   profile.traction = x.scene.friction * profile.pressure;

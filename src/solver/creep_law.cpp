@@ -100,7 +100,7 @@ constexpr const char* not_asked = "no more was asked for";
 /// Why the curve does not go on to w; empty if it does. In that case near becomes the solution.
 std::string why_not(const HalfCurve& curve, double tolerance, double w, GridSolution& near) {
   for (const auto& [n, finer] : law_grids(curve.scene)) {
-    if (w == 2 && n > 20) break;  // no layer at an infinite creep is ever thick
+    if (w == 2 && n > 20) break;  // at infinite creep finer grids do not help
     const GridSolution x = solution_at(curve, n, w, near), y = solution_at(curve, finer, w, x);
     if (!agree(x, y, leeway(n, w) * tolerance)) continue;
     if (!y.violations.empty()) return "contact is lost: " + y.violations.front().what;

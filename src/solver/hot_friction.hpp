@@ -10,9 +10,9 @@ namespace thermoroll {
 
 /// Matrices for a law of friction on the n slip nodes.
 struct HotFriction {
-  Eigen::MatrixXd s;        // S of @eq:lost-friction on the values of B, n x n, except for
-  Eigen::MatrixXd at_node;  // the term with the derivative of B at the node itself, n x n
-  Eigen::MatrixXd p, t;     // that of p-hat and of T*, a column for each term of h
+  Eigen::MatrixXd s;  // S of @eq:lost-friction on the values of B, n x n, but for B' at the node
+  Eigen::MatrixXd at_node;  // the weight of B' at the node itself, on the values of B, n x n
+  Eigen::MatrixXd p, t;     // at_node times p-hat and T*, a column for each term of h
   Eigen::ArrayXd weight;    // of the integral in S
   Eigen::ArrayXd moment;    // of that for the traction, @eq:lost-sums
   Eigen::ArrayXd bulk{};    // the part of T* by a bulk difference at all nodes, empty without one

@@ -386,11 +386,7 @@ Claim on_two_bodies() {
 }
 
 Claim on_hot_friction() {
-  const PhysicalScene steel = wheel_on_rail();
-  Scene scene = scene_of(steel, paper::friction);
-  scene.law = linear_friction({1600 / units_of(steel, paper::friction).temperature});
-  const TractionLimit top =
-      *solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::traction, 0.1}).limit;
+  const TractionLimit top = paper::largest_traction(paper::wheel(false, true));
   const double share = top.traction / paper::friction;
   return {"friction may depend on temperature: largest Q* at Pe = 4360, none left at 1600 °C",
           "p. 2583",

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 
 #include <gsl/gsl_sf_bessel.h>
@@ -15,6 +14,7 @@
 #include "studies/cached_scheme.hpp"
 #include "studies/graded_panels.hpp"
 #include "studies/paper_scene.hpp"
+#include "studies/sampling.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/temperature.hpp"
 
@@ -80,16 +80,13 @@ Run coupled_run(const Scene& scene, double tolerance) {
 }  // namespace
 
 std::vector<Sample> random_scenes(int count) {
-  std::mt19937_64 random(20020101);
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
+  Random random{std::mt19937_64(20020101)};
   std::vector<Sample> scenes;
   for (int i = 0; i < count; ++i) {
-    const double f = log_uniform(0.05, 1), share = log_uniform(0.01, 0.999);
-    const Scene scene{f, log_uniform(1e-2, 1e6), log_uniform(1e-4, 3)};
+    const double f = random.log_uniform(0.05, 1), share = random.log_uniform(0.01, 0.999);
+    const Scene scene{f, random.log_uniform(1e-2, 1e6), random.log_uniform(1e-4, 3)};
     scenes.push_back(
-        {scene, f * share, random() % 2 ? Formulation::printed : Formulation::corrected});
+        {scene, f * share, random.bits() % 2 ? Formulation::printed : Formulation::corrected});
   }
   return scenes;
 }

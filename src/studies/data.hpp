@@ -37,6 +37,7 @@ void values_on_what_heat_can_do(nlohmann::ordered_json& v);
 void values_on_two_bodies(nlohmann::ordered_json& v);
 void values_on_full_slip(nlohmann::ordered_json& v);
 void values_on_hot_friction(nlohmann::ordered_json& v);
+void values_on_strips(nlohmann::ordered_json& v);
 void values_in_brief(nlohmann::ordered_json& v);
 
 }  // namespace thermoroll

@@ -13,17 +13,6 @@
 namespace thermoroll {
 namespace {
 
-Scene wheel(bool two_bodies, bool falls) {
-  PhysicalScene steel = wheel_on_rail();
-  if (two_bodies) {
-    steel.conductivity_2 = steel.conductivity;
-    steel.expansion_2 = steel.expansion;
-  }
-  Scene scene = scene_of(steel, paper::friction);
-  if (falls) scene.law = linear_friction({1600 / units_of(steel, paper::friction).temperature});
-  return scene;
-}
-
 const double full_slip = 2 * paper::friction / pi;  // Carter's xi* there
 
 std::vector<double> relative_tractions(const Scene& scene, const std::vector<double>& creeps) {
@@ -35,10 +24,6 @@ std::vector<double> relative_tractions(const Scene& scene, const std::vector<dou
   return tractions;
 }
 
-TractionLimit largest_traction(const Scene& scene) {
-  return *solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::traction, 0.1}).limit;
-}
-
 void creep_in_brief(std::ostream& out) {
   row(out, "curve", "creep", "traction");
   const std::vector<double> creeps = grid(0, 2, 160);
@@ -48,10 +33,10 @@ void creep_in_brief(std::ostream& out) {
     const std::vector<double> tractions = relative_tractions(scene, creeps);
     for (std::size_t i = 0; i < creeps.size(); ++i) row(out, name, creeps[i], tractions[i]);
   };
-  curve("constant friction", wheel(false, false));
+  curve("constant friction", paper::wheel(false, false));
   for (const bool two : {true, false}) {
-    curve(two ? "two bodies" : "one body", wheel(two, true));
-    const TractionLimit top = largest_traction(wheel(two, true));
+    curve(two ? "two bodies" : "one body", paper::wheel(two, true));
+    const TractionLimit top = paper::largest_traction(paper::wheel(two, true));
     row(out, "maximum", top.creep / full_slip, top.traction / paper::friction);
   }
 }
@@ -62,15 +47,17 @@ const FigureData brief_data{"brief", creep_in_brief};
 
 void values_in_brief(nlohmann::ordered_json& v) {
   const std::vector<double> creeps = grid(0, 2, 160);
-  const std::vector<double> tractions = relative_tractions(wheel(false, false), creeps);
+  const std::vector<double> tractions = relative_tractions(paper::wheel(false, false), creeps);
   double most = 0;
   for (std::size_t i = 0; i < creeps.size(); ++i) {
     const double cold = carter_creep_curve(paper::friction, creeps[i] * full_slip);
     most = std::max(most, std::abs(tractions[i] - cold / paper::friction));
   }
   v["brief_distortion"] = fixed(100 * most, 1);
-  v["brief_one"] = fixed(100 * largest_traction(wheel(false, true)).traction / paper::friction, 0);
-  v["brief_two"] = fixed(100 * largest_traction(wheel(true, true)).traction / paper::friction, 0);
+  v["brief_one"] =
+      fixed(100 * paper::largest_traction(paper::wheel(false, true)).traction / paper::friction, 0);
+  v["brief_two"] =
+      fixed(100 * paper::largest_traction(paper::wheel(true, true)).traction / paper::friction, 0);
 }
 
 }  // namespace thermoroll

@@ -30,11 +30,6 @@ double traction_at(const Scene& scene, double creep) {
   return found(scene, {Quantity::creep, creep}).value(Quantity::traction);
 }
 
-/// Every traction on the rising branch comes with the maximum; this one is small.
-TractionLimit highest(const Scene& scene) {
-  return *found(scene, {Quantity::traction, 0.1 * scene.friction}).limit;
-}
-
 struct CreepPoint {
   double creep, traction;
 };
@@ -69,7 +64,7 @@ void softened_curves(std::ostream& out) {
     for (const CoupledSolution& unit : units)
       if (const auto [creep, traction] = with_one_friction(unit, lambda); creep <= 1)
         row(out, "shortcut", lambda, creep, traction);
-    const TractionLimit top = highest(scene);
+    const TractionLimit top = paper::largest_traction(scene);
     row(out, "maximum", lambda, top.creep, top.traction);
   }
   for (const Branch branch : {Branch::rising, Branch::falling}) {
@@ -140,7 +135,7 @@ void steel_with_falling_friction(std::ostream& out) {
     scene.roller = {1, scene.heating};
     const Units unit = units_of(si, scene.friction);
     scene.law = linear_friction({1600 / unit.temperature});
-    const TractionLimit top = highest(scene);
+    const TractionLimit top = paper::largest_traction(scene);
     const double rise = found(scene, {Quantity::creep, top.creep}).value(Quantity::max_temperature);
     const double lambda = scene.friction * unit.temperature / (1600 * std::sqrt(scene.peclet));
     row(out, speed, fixed(scene.peclet, 0), fixed(heat_share(scene) * lambda, 2),
@@ -166,7 +161,7 @@ ShortcutErrors errors_of_the_shortcut(const std::vector<CoupledSolution>& units,
     top = std::max(top, traction);
     worst.curve = std::max(worst.curve, 1 - traction / traction_at(scene, creep));
   }
-  worst.maximum = 1 - top / highest(scene).traction;
+  worst.maximum = 1 - top / paper::largest_traction(scene).traction;
   return worst;
 }
 
@@ -194,9 +189,8 @@ void values_on_hot_friction(nlohmann::ordered_json& v) {
   const PhysicalScene steel = wheel_on_rail();
   const Units unit = units_of(steel, paper::friction);
   v["hot_carter_slips"] = fixed(1000 * 2 / pi * paper::friction * unit.slip / steel.speed, 2);
-  Scene paper_pair = scene_of(steel, paper::friction);
-  paper_pair.law = linear_friction({1600 / unit.temperature});
-  v["hot_paper_max"] = fixed(100 * highest(paper_pair).traction / paper::friction, 1);
+  const TractionLimit top = paper::largest_traction(paper::wheel(false, true));
+  v["hot_paper_max"] = fixed(100 * top.traction / paper::friction, 1);
 }
 
 }  // namespace thermoroll

@@ -1,11 +1,8 @@
 // Tangled from paper/17-least-model.md; edit there.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <random>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +11,7 @@
 #include "studies/comparison.hpp"
 #include "studies/data.hpp"
 #include "studies/paper_scene.hpp"
+#include "studies/sampling.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
@@ -71,14 +69,9 @@ constexpr double random_tolerances[] = {1e-2, 1e-3, 1e-6};
 std::vector<Trial> all_trials() {
   const std::vector<Sample> scenes = random_scenes(random_count);
   std::vector<Trial> trials(scenes.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < scenes.size(); i = next++)
-      trials[i] = run_trial(scenes[i], random_tolerances[i % 3]);
-  };
-  std::thread other(work);
-  work();
-  other.join();
+  on_all_processors(scenes.size(), [&](std::size_t i) {
+    trials[i] = run_trial(scenes[i], random_tolerances[i % 3]);
+  });
   return trials;
 }
 
@@ -110,19 +103,17 @@ struct SmallContact {
 };
 
 std::vector<SmallContact> small_contacts() {
-  std::mt19937_64 random(20020102);
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
+  Random random{std::mt19937_64(20020102)};
   std::vector<SmallContact> contacts;
   for (int i = 0; i < small_count; ++i) {
-    const double f = log_uniform(0.03, 1.5), part = log_uniform(1e-4, 0.5);
-    const Scene scene{f, log_uniform(1e-3, 1e8), log_uniform(2e-5, 0.1)};
+    const double f = random.log_uniform(0.03, 1.5), part = random.log_uniform(1e-4, 0.5);
+    const Scene scene{f, random.log_uniform(1e-3, 1e8), random.log_uniform(2e-5, 0.1)};
     const Quantity all[] = {Quantity::traction, Quantity::creep, Quantity::stick_slip_border};
-    const Quantity what = all[random() % 3];
-    const Results cold = carter_values(carter(f, f * (random() % 2 ? part : 1 - part)));
-    contacts.push_back(
-        {scene, {what, cold(what)}, random() % 2 ? Formulation::printed : Formulation::corrected});
+    const Quantity what = all[random.bits() % 3];
+    const Results cold = carter_values(carter(f, f * (random.bits() % 2 ? part : 1 - part)));
+    contacts.push_back({scene,
+                        {what, cold(what)},
+                        random.bits() % 2 ? Formulation::printed : Formulation::corrected});
   }
   return contacts;
 }
@@ -135,12 +126,6 @@ void compare(const CoupledSolution& x, const CoupledSolution& exact, Ratios& rat
     const double off = std::abs(x.value[i] - exact.value[i]);
     if (off > 10 * exact.error[i]) ratios[static_cast<std::size_t>(i)].push_back(x.error[i] / off);
   }
-}
-
-double middle_of(std::vector<double> x) {
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
 }
 
 void stated_errors(std::ostream& out) {
@@ -158,7 +143,7 @@ void stated_errors(std::ostream& out) {
     if (i >= compared) continue;
     out << q.key;
     for (const Ratios& level : ratios)
-      out << ',' << level[i].size() << ',' << fixed(middle_of(level[i]), 1) << ','
+      out << ',' << level[i].size() << ',' << fixed(median(level[i]), 1) << ','
           << std::count_if(level[i].begin(), level[i].end(), [](double r) { return r < 1; });
     out << '\n';
   }

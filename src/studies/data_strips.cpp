@@ -1,5 +1,9 @@
 // Tangled from paper/21-hot-friction.md; edit there.
+#include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "studies/data.hpp"
 #include "studies/strips.hpp"
@@ -49,5 +53,19 @@ void published_cases(std::ostream& out) {
 
 const FigureData published_data{"contact-cases", published_cases};
 
+double cooler_in_per_cent(const Published& x) {
+  const OnEllipse fine = on_ellipse(x.contact, law_of(x), {24, 400, 1});
+  return 100 * (1 - fine.temperature / x.printed.temperature);
+}
+
 }  // namespace
+
+void values_on_strips(nlohmann::ordered_json& v) {
+  std::vector<double> cooler;
+  for (const Published& x : published) cooler.push_back(cooler_in_per_cent(x));
+  const auto [least, most] = std::minmax_element(cooler.begin(), cooler.end());
+  v["strips_least"] = fixed(*least, 0);
+  v["strips_most"] = fixed(*most, 0);
+}
+
 }  // namespace thermoroll

@@ -169,7 +169,8 @@ void values(std::ostream& out) {
         values_of_the_nodes, values_of_the_load_ratio, values_to_first_order,
         values_of_what_is_open, values_on_resolution, values_on_digits, values_on_failures,
         values_on_least_model, values_on_what_heat_can_do, values_on_two_bodies,
-        values_on_full_slip, values_on_hot_friction, values_of_the_claims, values_in_brief})
+        values_on_full_slip, values_on_hot_friction, values_on_strips, values_of_the_claims,
+        values_in_brief})
     add(v);
   out << v.dump(2) << '\n';
 }

@@ -1,7 +1,6 @@
 // Tangled from paper/18-what-heat-can-do.md, paper/F-data-files.md; edit there.
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +10,7 @@
 #include "studies/iterations.hpp"
 #include "studies/materials.hpp"
 #include "studies/paper_scene.hpp"
+#include "studies/sampling.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/admissibility.hpp"
 
@@ -94,7 +94,7 @@ struct Ends {
 };
 
 Ends ends_of_random_starts() {
-  std::mt19937_64 random(20020102);
+  Random random{std::mt19937_64(20020102)};
   Ends ends;
   for (const Sample& x : hottest_scenes(unique_count)) {
     const FluxMap map = map_of(x);
@@ -102,7 +102,7 @@ Ends ends_of_random_starts() {
     newton(map, solution);
     for (int k = 0; k < starts; ++k) {
       Eigen::VectorXd h = solution;
-      for (double& at_node : h) at_node *= 10 * static_cast<double>(random() >> 11) * 0x1p-53;
+      for (double& at_node : h) at_node *= 10 * random.uniform();
       const bool arrived = newton(map, h) > 0;
       const bool contact = pressure_factor(map, h).minCoeff() > 0 && h.minCoeff() > 0;
       const bool known = (h - solution).norm() < 1e-6 * solution.norm();

@@ -2,17 +2,15 @@
 #include "studies/estimate_study.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <random>
-#include <thread>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "studies/data.hpp"
+#include "studies/sampling.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/carter.hpp"
 
@@ -76,19 +74,15 @@ void write_histogram(std::ostream& out, const std::vector<StudyRow>& rows) {
 }  // namespace
 
 StudyScene study_scene(int number) {
-  std::mt19937_64 random(20261122 + static_cast<std::uint64_t>(number));
-  random.discard(8);
-  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-  const auto log_uniform = [&](double low, double high) {
-    return low * std::pow(high / low, uniform());
-  };
-  const double f = log_uniform(0.03, 1.5), peclet = log_uniform(1e-2, 1e6);
-  Scene scene{f, peclet, log_uniform(1e-6, 10) / f};
-  const double share = uniform() < 0.5 ? uniform() : log_uniform(1e-6, 1);
-  const double pull = f * (uniform() < 0.5 ? share : 1 - share);
+  Random random{std::mt19937_64(20261122 + static_cast<std::uint64_t>(number))};
+  random.bits.discard(8);
+  const double f = random.log_uniform(0.03, 1.5), peclet = random.log_uniform(1e-2, 1e6);
+  Scene scene{f, peclet, random.log_uniform(1e-6, 10) / f};
+  const double share = random.uniform() < 0.5 ? random.uniform() : random.log_uniform(1e-6, 1);
+  const double pull = f * (random.uniform() < 0.5 ? share : 1 - share);
   const Quantity all[] = {Quantity::traction, Quantity::creep, Quantity::stick_slip_border};
-  const Quantity what = all[static_cast<int>(3 * uniform())];
-  return {scene, {what, carter_values(carter(f, pull))(what)}, log_uniform(1e-9, 1e-2)};
+  const Quantity what = all[static_cast<int>(3 * random.uniform())];
+  return {scene, {what, carter_values(carter(f, pull))(what)}, random.log_uniform(1e-9, 1e-2)};
 }
 
 std::optional<StudyRow> study_row(int number) try {
@@ -111,14 +105,8 @@ std::optional<StudyRow> study_row(int number) try {
 
 std::vector<StudyRow> study_rows(int count) {
   std::vector<std::optional<StudyRow>> found(static_cast<std::size_t>(count));
-  std::atomic<int> next{0};
-  const auto work = [&] {
-    for (int number = next++; number < count; number = next++)
-      found[static_cast<std::size_t>(number)] = study_row(number);
-  };
-  std::vector<std::thread> others(std::max(1u, std::thread::hardware_concurrency()));
-  for (std::thread& other : others) other = std::thread(work);
-  for (std::thread& other : others) other.join();
+  on_all_processors(found.size(),
+                    [&](std::size_t i) { found[i] = study_row(static_cast<int>(i)); });
   std::vector<StudyRow> rows;
   for (const auto& row : found)
     if (row) rows.push_back(*row);

@@ -29,4 +29,11 @@ double scheme_max(double q, double pe, const PublishedOptions& options = {});
 /// By the coupled solver, to 1e-8.
 CoupledSolution coupled(double q, double pe, Formulation with = formulation);
 
+/// The wheel on the rail, as one body that conducts or two, with constant or falling friction.
+Scene wheel(bool two_bodies, bool falls);
+
+/// The largest traction of a scene whose friction falls, by the coupled solver to 1e-6, and its
+/// creep.
+TractionLimit largest_traction(const Scene& scene);
+
 }  // namespace thermoroll::paper

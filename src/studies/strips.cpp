@@ -39,14 +39,13 @@ OnEllipse on_strip(const EllipticContact& x, const FrictionLaw& law, double y, i
     flux.push_back(phi * full);
     strip.temperature = std::max(strip.temperature, t);
     strip.force += phi * p * h;
+    strip.normal += p * h;
   }
   return strip;
 }
 
 OnEllipse on_ellipse(const EllipticContact& x, const FrictionLaw& law, const Cells& cells) {
   OnEllipse all{0, 0};
-  double normal = 0;
-  const FrictionLaw constant = [](double) { return RelativeFriction{1, 0}; };
   for (int k = 0; k < cells.strips; ++k) {
     const double y = (k + 0.5) / cells.strips;
     const int along =
@@ -54,9 +53,9 @@ OnEllipse on_ellipse(const EllipticContact& x, const FrictionLaw& law, const Cel
     const OnEllipse strip = on_strip(x, law, y, along, cells.own_weight);
     all.force += strip.force;
     all.temperature = std::max(all.temperature, strip.temperature);
-    normal += on_strip(x, constant, y, along, 0).force;
+    all.normal += strip.normal;
   }
-  all.force /= normal;
+  all.force /= all.normal;
   return all;
 }
 

@@ -11,11 +11,12 @@ namespace thermoroll {
 /// strip; cells are in half-lengths of it.
 struct EllipticContact {
   double half_length, half_width, pressure, speed, slip_ahead, slip_behind, friction;
-  double effusivity = std::sqrt(50 * 7850 * 450.0);
+  double effusivity = std::sqrt(50 * 7850 * 450.0);  // of steel, sqrt(K rho c)
 };
 
 struct OnEllipse {
   double force, temperature;  // over that of constant friction; the largest, in degrees
+  double normal = 0;          // force of the pressure on the same cells, N
 };
 
 /// Strips on half of the ellipse, cells on the middle one, and the weight of a cell for its own

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/comparison.hpp"
+#include "studies/sampling.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
@@ -23,12 +24,6 @@ nlohmann::json read_json(const std::string& path) {
   nlohmann::json found = nlohmann::json::parse(file, nullptr, false);
   if (found.is_discarded()) throw std::runtime_error("it is not JSON");
   return found;
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double spread_of(const std::map<std::string, std::vector<double>>& all) {

@@ -299,6 +299,33 @@ ValuesAreInjected() {
   expect 'It is 1.5, −2, 3⋅10−4, say "so", 1.5, x=1.5.'
 }
 
+# A number leads to the chunk that writes it, by its key or by the beginning or end of it.
+ValuesLeadToTheirChunks() {
+  echo '{"load": "1.5", "speed_6": "2", "steel_border": "3", "other": "4"}' >build/data/values.json
+  chapter <<'END'
+It is `load`{.value}, `speed_6`{.value}, \value{steel_border}, `other`{.value}.
+
+``` {.cpp #numbers title="Numbers"}
+v["load"] = "other";
+v["speed_" + key] = name;
+```
+
+These are the rest:
+
+``` {.cpp #numbers title="More numbers"}
+v[name + "_border"] = x;
+```
+
+``` {.cpp file=src/a.cpp title="A file"}
+<<numbers>>
+```
+END
+  expect 'It is 1.5, 2, 3, 4.'
+  expect_html '<a class="computed" title="load" href="#lst:numbers">1.5</a>' \
+    '<a class="computed" title="speed_6" href="#lst:numbers">2</a>' \
+    '<a class="computed" title="steel_border" href="#lst:numbers:2">3</a>, 4.'
+}
+
 TableFromData() {
   printf 'Name $n$,Number\n"a, ""b"" and `c`, see @eq:e",-1\nplain,2e-3\nnone,–\np. 7,–\n' >build/data/t.csv
   chapter <<'END'

@@ -285,9 +285,9 @@ Bodies random_bodies(std::mt19937& generator) {
           uniform(generator) / std::sqrt(peclet)};
 }
 
-// The equation itself, at places which are no nodes, by rays from these places: the temperatures
-// differ by the bulk difference. On sixty nodes the series of E are converged to 1e-6 of themselves
-// for all these speeds, and at the slower half of them to 1e-9.
+// The equation itself, at places which are no nodes, by graded rules from these places: the
+// temperatures differ by the bulk difference. On sixty nodes the series of E are converged to 1e-6
+// of themselves for all these speeds, and at the slower half of them to 1e-9.
 TEST(Exchange, BothBodiesAreEquallyHot) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);

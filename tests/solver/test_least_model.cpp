@@ -110,7 +110,7 @@ std::string text(const Driven& x) {
 
 }  // namespace
 
-// By the interpolated limit or by rays, to the tenth of the tolerance that is promised; the
+// By the interpolated limit or by graded rules, to the tenth of the tolerance that is promised; the
 // adaptive quadrature is good to 1e-9. The place is where the curve is flat.
 TEST(LeastModel, TemperatureOfTheClosedForm) {
   for (const double peclet : {0.01, 1.0, 30.0, 1e3, 1e4, 1e6})
@@ -132,17 +132,17 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
 }
 
 // Whatever the climb starts from, it ends at the top, and not at an end of the slip zone, where the
-// slope by y is zero as well. The rays' errors are the same for all starts; what is left is what
-// the last step, below 1e-5, leaves out.
+// slope by y is zero as well. The graded rules' errors are the same for all starts; what is left is
+// what the last step, below 1e-5, leaves out.
 TEST(LeastModel, ClimbsFromAnywhere) {
-  const thermoroll::GaussLegendre& rays = thermoroll::gauss_legendre(64);
+  const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(64);
   for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
     const double slip = 0.5, peclet = lambda / slip;
     const Eigen::VectorXd h = thermoroll::carter_h({slip, 2 - slip}, 0.6);
-    const thermoroll::HottestPoint top = thermoroll::find_hottest(slip, peclet, h, {}, rays);
+    const thermoroll::HottestPoint top = thermoroll::find_hottest(slip, peclet, h, {}, rule);
     for (double y = -0.9; y < 0.95; y += 0.01)
       for (const double bend : {-0.3, -2.7}) {
-        const auto again = thermoroll::find_hottest(slip, peclet, h, {y, 1, bend}, rays);
+        const auto again = thermoroll::find_hottest(slip, peclet, h, {y, 1, bend}, rule);
         EXPECT_TRUE(close(again.value / top.value, 1, 1e-9)) << lambda << ' ' << y << ' ' << bend;
         EXPECT_TRUE(close(again.y, top.y, 2e-5)) << lambda << ' ' << y << ' ' << bend;
       }
@@ -157,8 +157,8 @@ TEST(LeastModel, ClimbsFromAnywhere) {
   EXPECT_TRUE(close(x.value(Quantity::max_temperature) / peak.temperature.value, 1, 1e-5));
 }
 
-// The corrected temperature has no limit to lean on: with hardly any heat it is Carter's, by rays
-// of any number, at any speed.
+// The corrected temperature has no limit to lean on: with hardly any heat it is Carter's, by graded
+// rules of any number, at any speed.
 TEST(LeastModel, TemperatureOfTheFirstOrder) {
   for (const double peclet : {1.0, 1e4, 1e6, 1e8})
     for (const double share : {1e-3, 0.8, 1 - 1e-9})

@@ -1,5 +1,6 @@
-// Temperatures along the surface by rays, against the adaptive quadrature of @sec:temperature,
-// which knows nothing of rays, of the places of their nodes or of Legendre coefficients.
+// Temperatures along the surface by graded rules, against the adaptive quadrature of
+// @sec:temperature, which knows nothing of graded rules, of the places of their nodes or of
+// Legendre coefficients.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,7 +88,7 @@ TEST(Surface, ManyPointsHaveTheErrorOfFew) {
   }
 }
 
-// The rays need not resolve what the solver has not: the error of the flux covers that.
+// The graded rules need not resolve what the solver has not: the error of the flux covers that.
 TEST(Surface, CoupledFluxAgreesWithAdaptiveQuadrature) {
   for (const double peclet : {1.0, 100.0, 4360.0})
     for (const double heating : {0.0175, 0.5}) {
@@ -142,10 +143,10 @@ TEST(Surface, PlaceOfThePeakIsWithinItsError) {
 // of the left end.
 TEST(Surface, ShortSlipZonesAreAsLongOnes) {
   const Eigen::VectorXd h = thermoroll::carter_h({1, 1}, 0.6);
-  const thermoroll::GaussLegendre& rays = thermoroll::gauss_legendre(80);
+  const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(80);
   const auto temperature_at = [&](double slip, double lambda, double s) {
     const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, s);
-    return thermoroll::surface_temperature({slip, 2 - slip}, lambda / slip, h, at, rays)(0) /
+    return thermoroll::surface_temperature({slip, 2 - slip}, lambda / slip, h, at, rule)(0) /
            (slip * slip);
   };
   for (const double lambda : {0.1, 10.0, 1000.0})

@@ -219,9 +219,8 @@ TEST(Timings, PanelsAreComparedAtEqualError) {
   times.at("graded_panels/n:200/Pe:100/H:1") = 3e-3;
   times.at("graded_panels/n:25/Pe:4360/H:0.0175") = 3e-3;
   const std::string text = written("speed", times);
-  for (const char* ratio :
-       {R"("speed_panels_6_steel": "150")", R"("speed_panels_8_steel": "150")",
-        R"("speed_panels_6_hot": "3.0")", R"("speed_panels_8_hot": "3.0")"})
+  for (const char* ratio : {R"("speed_panels_6_steel": "150")", R"("speed_panels_8_steel": "150")",
+                            R"("speed_panels_6_hot": "3.0")", R"("speed_panels_8_hot": "3.0")"})
     EXPECT_NE(text.find(ratio), std::string::npos) << text;
 }
 
