@@ -317,6 +317,10 @@ local function code(inline)
     return value_in_text(inline.text, "`" .. inline.text .. "`{.value}")
   end
   if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("together") end -- an option
+  if inline.text:find("%s%-%-") then -- a command, whose options are not broken behind a hyphen
+    local html = escape(inline.text):gsub("%-%-[%w-]+", '<span class="together">%0</span>')
+    return pandoc.RawInline("html", "<code>" .. html .. "</code>")
+  end
   return inline
 end
 

@@ -19,9 +19,10 @@ RelativeFriction above_reference(LawKind kind, double floor, double x) {
       return {floor + decays, -decays};
     case LawKind::rational:
       return {floor + falls, -falls / (1 + x)};
-    default:  // piecewise linear
-      return x < 1 ? RelativeFriction{1 + (floor - 1) * x, floor - 1} : RelativeFriction{floor, 0};
+    case LawKind::piecewise_linear:
+      break;
   }
+  return x < 1 ? RelativeFriction{1 + (floor - 1) * x, floor - 1} : RelativeFriction{floor, 0};
 }
 
 }  // namespace

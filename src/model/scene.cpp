@@ -96,6 +96,17 @@ double heating_of_both(const Scene& scene) {
   return heat_share(scene) * (scene.heating + other);
 }
 
+double distortions_apart(const Scene& scene) {
+  return scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
+}
+
+bool same_bodies(const Scene& a, const Scene& b) {
+  const auto& [ratio, heating, peclet] = a.roller;  // does not compile with a further member
+  const Roller& other = b.roller;
+  return a.peclet == b.peclet && a.heating == b.heating && ratio == other.conductivity_ratio &&
+         heating == other.heating && peclet == other.peclet;
+}
+
 double strain_share(const Scene& scene) {
   const Roller& roller = scene.roller;
   const double own = scene.heating;

@@ -76,7 +76,7 @@ void add_exchange(json& o, json* error, const Solution& x) {
   tell("no_slip_creep", still.creep, still.creep_error);
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const CrossingHeat edge = coupled ? coupled->crossing.value_or(CrossingHeat{}) : CrossingHeat{};
-  const double apart = scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
+  const double apart = distortions_apart(scene);
   const double sign = coupled ? slope_sign(coupled->formulation) : 0;
   const double unit = 2 * sign * scene.friction / pi * apart;
   tell("edge_log_coefficient", unit * edge.edge, std::abs(unit) * edge.edge_error);

@@ -2,7 +2,6 @@
 #include "solver/conduction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace thermoroll {
@@ -30,13 +29,10 @@ std::vector<Kernels> pair_kernels(const Conduction& c, const Eigen::ArrayXd& zet
 
 std::shared_ptr<const PairTable> table_of(const Scene& pair, bool crossing) {
   if (!crossing) return std::make_shared<const PairTable>(pair, false);
-  static thread_local std::array<double, 5> last{};
+  static thread_local Scene last{};
   static thread_local std::shared_ptr<const PairTable> made;
-  const Roller& roller = pair.roller;
-  const std::array<double, 5> data{pair.peclet, roller.peclet, pair.heating, roller.heating,
-                                   roller.conductivity_ratio};
-  if (!made || data != last) made = std::make_shared<const PairTable>(pair, true);
-  last = data;
+  if (!made || !same_bodies(pair, last)) made = std::make_shared<const PairTable>(pair, true);
+  last = pair;
   return made;
 }
 

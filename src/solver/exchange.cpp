@@ -2,7 +2,6 @@
 #include "solver/exchange.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -338,13 +337,10 @@ void add_exchange(const Exchange& x, ThermalTerms& to) {
 
 std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Index unknowns) {
   if (scene.bulk_difference == 0) return nullptr;
-  static thread_local std::array<double, 6> last{};
+  static thread_local Scene last{};
   static thread_local std::map<int, std::shared_ptr<const BulkExchange>> found;
-  const Roller& roller = scene.roller;
-  const std::array<double, 6> data{scene.friction, scene.peclet,    scene.heating,
-                                   roller.heating, peclet_2(scene), roller.conductivity_ratio};
-  if (data != last) found.clear();
-  last = data;
+  if (scene.friction != last.friction || !same_bodies(scene, last)) found.clear();
+  last = scene;
   const int n = std::min(static_cast<int>(unknowns) + 20, most_unknowns);
   auto& kept = found[n];
   if (!kept) kept = std::make_shared<const BulkExchange>(solve_bulk(scene, n));

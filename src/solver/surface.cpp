@@ -154,7 +154,7 @@ SmoothFlux smooth_flux(const CoupledSolution& x) {
 }
 
 VectorXd without_ripples(const Scene& scene, const VectorXd& h) {
-  const double apart = scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
+  const double apart = distortions_apart(scene);
   if (scene.bulk_difference == 0 || apart == 0 || h.size() <= 20) return h;
   const ArrayXd degree = ArrayXd::LinSpaced(h.size(), 0, static_cast<double>(h.size() - 1));
   return h.array() * (-36 * (degree / static_cast<double>(h.size())).pow(10)).exp();

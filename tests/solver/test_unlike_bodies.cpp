@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -188,3 +189,31 @@ TEST(UnlikeBodies, LesserMethodsAreRefused) {
 }
 
 }  // namespace
+
+// The table of a pair and the exchange of a bulk difference are kept until another pair comes. What
+// is solved after a pair that differs in one number is, bit by bit, what another thread finds,
+// which has kept nothing.
+TEST(UnlikeBodies, AnotherPairHasAnotherTable) {
+  const auto kappa = [](const Scene& scene) {
+    return solve(scene, {stick_slip_border, 0}, coupled_to(1e-3)).value(load_ratio);
+  };
+  for (const double difference : {0.0, 0.001}) {
+    Scene first{0.6, 20, 0.7, {0.5, 1, 100}};
+    first.bulk_difference = difference;
+    std::vector<Scene> others(5, first);
+    others[0].peclet = 21;
+    others[1].heating = 0.8;
+    others[2].roller.conductivity_ratio = 0.6;
+    others[3].roller.heating = 1.1;
+    others[4].roller.peclet = 110;
+    const double before = kappa(first);
+    for (const Scene& other : others) {
+      kappa(first);
+      const double here = kappa(other);
+      double there = 0;
+      std::thread([&] { there = kappa(other); }).join();
+      EXPECT_EQ(here, there);
+      EXPECT_NE(here, before);
+    }
+  }
+}

@@ -40,6 +40,12 @@ double heat_share(const Scene& scene);
 /// The ratio H of the slopes of both bodies together, @eq:heating-of-both.
 double heating_of_both(const Scene& scene);
 
+/// D1 - D2, where D = Pe H of each body.
+double distortions_apart(const Scene& scene);
+
+/// Whether two scenes have the same two bodies at the same speed and load.
+bool same_bodies(const Scene& a, const Scene& b);
+
 /// The thermal strain relative to that of the paper's driven pair with the same H,
 /// @eq:strain-share; from -1 to 1, and 0 if H = 0.
 double strain_share(const Scene& scene);
