@@ -8,9 +8,9 @@ set bmargin at screen 0.18
 set logscale xy
 of(word, part) = strcol('part') eq part && strcol('curve') eq word ? column('y') : NaN
 curve(part, word, i) = sprintf("data using 'x':(of('%s', '%s')) with lines linetype %d " \
-  ."dashtype solid title '%s' noenhanced", word, part, i, word)
+  ."title '%s' noenhanced", word, part, i, word)
 set multiplot
-set lmargin at screen 0.105; set rmargin at screen 0.475
+set lmargin at screen 0.115; set rmargin at screen 0.475
 set xrange [1e-9:1e-2]; set yrange [1e-15:1e-2]
 set xtics ('10^{−9}' 1e-9, '10^{−6}' 1e-6, '10^{−3}' 1e-3)
 set ytics ('10^{−14}' 1e-14, '10^{−10}' 1e-10, '10^{−6}' 1e-6, '10^{−2}' 1e-2)
@@ -31,8 +31,9 @@ set ytics ('0' 0, '10 %%' 10, '20 %%' 20)
 set xlabel 'stated by true error'
 set label 1 'b. share of scenes' at graph 0, graph 1.07
 set arrow from 1, 0 to 1, 20 nohead linetype 6
-set label '{/:Italic T*}' at 2.2, 8 right
-set label '{/:Italic ξ*}, {/:Italic κ}, {/:Italic c}_0' at 110, 13
+eval line_entry(0.66, 0.93, 'linetype 1', '{/:Italic T*}')
+eval line_entry(0.66, 0.83, 'linetype 2', '{/:Italic ξ*}')
+eval line_entry(0.66, 0.73, 'linetype 3', '{/:Italic κ}')
 eval 'plot '.curve('ratio', 'max_temperature', 1).', '.curve('ratio', 'creep', 2).', ' \
-  .curve('ratio', 'load_ratio', 3).', '.curve('ratio', 'stick_slip_border', 4)
+  .curve('ratio', 'load_ratio', 3)
 unset multiplot

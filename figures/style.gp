@@ -100,7 +100,7 @@ draw_hot_family = "set lmargin at screen 0.125; plot " \
   .draw_family[6:]
 change_axes(what) = "set xlabel '{/:Italic s}' offset 0,0.9; " \
   .sprintf("set label 100 '{/:Italic Δ%s}, change by heat at {/:Italic Q*} = 0.5' ", what) \
-  ."at graph 0, graph 1.1 left offset -1,0"
+  ."at graph 0, graph 1.13 left offset 0.5,0"
 change(method) = row("method", method, parameter, 0.5, column("change"))
 change_key(x, y) = line_entry(x, y, 'linetype 3 dashtype solid', 'corrected sign') \
   .line_entry(x, y - 0.15, 'linetype 3', 'sign as printed') \

@@ -8,7 +8,7 @@ set multiplot
 eval upper_panel
 eval range(-1, 1, 0, 0.4)
 eval axes('', 'q*')
-eval heat_key(0.46, 0.165)
+eval heat_key(0.55, 0.19)
 set xtics 0.5
 set ytics 0.1
 set label '{/:Italic Q*} = 0.59' at -0.62, 0.335 right
@@ -23,7 +23,7 @@ eval draw_hot_family
 eval lower_panel
 eval range(-1, 1, -0.002, 0.002)
 eval change_axes('q*')
-eval change_key(0.45, 0.96)
+eval change_key(0.02, 0.36)
 set ytics 0.001
 eval draw_changes
 unset multiplot

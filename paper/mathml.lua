@@ -95,7 +95,7 @@ end
 
 --- A minus with no term before it is a sign.
 local function mark_signs(html)
-  for _, sign in ipairs({ "−", "±", "∓" }) do
+  for _, sign in ipairs({ "−", "+", "±", "∓" }) do
     local marked = '<mo form="prefix">' .. sign .. "</mo>"
     html = html:gsub("(<mo([^>]*)>[^<]*</mo>)<mo>" .. sign .. "</mo>", function(before, attributes)
         return not attributes:find("postfix") and before .. marked or nil
@@ -112,6 +112,7 @@ return function(tex, kind)
   if not html:match("^<math") then return nil end
   html = mark_signs(size_brackets(space_names(join_words(in_one_way(html)))))
     :gsub("<mo>%*</mo>", "<mo>∗</mo>") -- the other one is raised already
+    :gsub("<mo>(ℓ)</mo>", "<mi>%1</mi>"):gsub("<mo>(𝜚)</mo>", "<mi>%1</mi>") -- letters, no operators
     :gsub('<mo accent="true">\u{302}', '<mo accent="true" stretchy="false">ˆ') -- no width of its own,
     :gsub('<mo accent="true">\u{303}', '<mo accent="true" stretchy="false">˜') -- and so beside the letter
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')

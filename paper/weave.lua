@@ -22,7 +22,8 @@
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
 --   : Caption {#tbl:x}                                below a table
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
---                                                     that csv names; the paragraph in it is the caption
+--                                                     that csv names; the paragraph in it is the caption;
+--                                                     .cards: on a phone its rows are cards
 --   ::: {#tbl:x .equations}                           the table of the equations that have a `paper`
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
@@ -337,11 +338,22 @@ local function raw_inline(inline)
   refuse_tex(inline)
 end
 
---- A formula and the punctuation behind it stay on one line.
+--- A formula and the punctuation behind it stay on one line, as do a number and its unit.
+local units = { "%%", "°C", "m/s", "ms", "µs", "GPa", "MPa", "mm" }
+local function is_unit(inline)
+  if inline.t ~= "Str" then return false end
+  for _, unit in ipairs(units) do
+    if inline.text:match("^" .. unit .. "[%p]*$") then return true end
+  end
+end
+
 local function keep_punctuation(inlines)
   local out = pandoc.List()
-  for _, inline in ipairs(inlines) do
+  for place, inline in ipairs(inlines) do
     local before = out[#out]
+    if (inline.t == "Space" or inline.t == "SoftBreak") and inlines[place + 1] and is_unit(inlines[place + 1]) then
+      inline = pandoc.Str("\u{a0}")
+    end
     if inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
        and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span title")) then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
@@ -763,7 +775,7 @@ local function generated_table(div)
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
-  local cards = head:includes("verdict")
+  local cards = div.classes:includes("cards")
   if cards then name_columns(id, head:map(function(cell) return pandoc.Plain(inlines_of(cell)) end)) end
   return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
                       cards and "table cards")

@@ -345,10 +345,10 @@ END
 }
 
 # Where rows are cards, each value has its column's name.
-VerdictsMayBeCards() {
+RowsMayBeCards() {
   printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
   chapter <<'END'
-::: {#tbl:t csv="t.csv"}
+::: {#tbl:t .cards csv="t.csv"}
 The caption.
 :::
 END
