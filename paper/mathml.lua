@@ -93,14 +93,15 @@ local function size_brackets(html)
       end))
 end
 
---- A minus with no term before it is a sign.
+--- A minus or plus with no term before it is a sign.
 local function mark_signs(html)
   for _, sign in ipairs({ "−", "+", "±", "∓" }) do
     local marked = '<mo form="prefix">' .. sign .. "</mo>"
-    html = html:gsub("(<mo([^>]*)>[^<]*</mo>)<mo>" .. sign .. "</mo>", function(before, attributes)
+    local plain = "<mo>" .. sign:gsub("%p", "%%%0") .. "</mo>"
+    html = html:gsub("(<mo([^>]*)>[^<]*</mo>)" .. plain, function(before, attributes)
         return not attributes:find("postfix") and before .. marked or nil
       end)
-      :gsub("(<mspace[^>]*></mspace>)<mo>" .. sign .. "</mo>", "%1" .. marked)
+      :gsub("(<mspace[^>]*></mspace>)" .. plain, "%1" .. marked)
   end
   return html
 end

@@ -347,7 +347,7 @@ local function is_unit(inline)
   end
 end
 
-local function keep_punctuation(inlines)
+local function keep_together(inlines)
   local out = pandoc.List()
   for place, inline in ipairs(inlines) do
     local before = out[#out]
@@ -365,7 +365,7 @@ local function keep_punctuation(inlines)
 end
 
 local prose = { Cite = resolve, Code = code, RawInline = raw_inline, RawBlock = refuse_tex,
-                Math = formula, Inlines = keep_punctuation }
+                Math = formula, Inlines = keep_together }
 
 local function html_of(inlines)
   local document = pandoc.Pandoc({ pandoc.Plain(inlines:walk(prose)) })

@@ -616,6 +616,14 @@ BulkDifference() {
   [ "$rough" != "$fine" ] || fail "no rougher than asked for"
   sed -i '1,/error_estimate/d' out
   near "$rough" "$fine" "$(value no_slip_traction)"
+  # The singular flux at the edge is that of conduction alone; the slope that it bends has the sign of
+  # the formulation, @eq:edge-logarithm.
+  local unlike=(--friction 0.6 --stick-slip-border 0 --peclet 20 --heating 0.7 --roller conducting
+    --conductivity-ratio 0.5 --heating-2 1 --peclet-2 100 --bulk-difference 0.001 --tolerance 1e-4 --format json)
+  answers solve "${unlike[@]}" --formulation corrected
+  local corrected="$(value edge_log_coefficient)"
+  "$program" solve "${unlike[@]}" --formulation printed >out 2>/dev/null || fail "$(cat out)"
+  near "$(calculate "-1 * ($(value edge_log_coefficient))")" "$corrected" 1e-6
   answers solve "${steel[@]}" --half-width 5.5e-3 --roller identical --bulk-temperature 20 \
     --bulk-temperature-2 120 --format json
   local unit=$(calculate "$(value max_temperature_celsius) / $(value max_temperature)")

@@ -211,12 +211,13 @@ END
 # What browsers draw or break otherwise than it is meant is written so that they do not.
 FormulasAreMended() {
   chapter <<'END'
-By `--option`, `run --load 1`, `a-b`: inline $\mathrm{Pe}\,f(x) = -\ln|x|$ and $\Bigl(\frac12\Bigr)^k$, and
+By `--option`, `run --load 1`, `a-b`, 4 %, 5 m/s: $\sigma=+1$, $2\ell$, inline $\mathrm{Pe}\,f(x) = -\ln|x|$ and $\Bigl(\frac12\Bigr)^k$, and
 $$ \begin{aligned} a &= \bigl[ b \bigr] \\ c &= (-1) + \left(\frac12\right) \end{aligned} $$
 END
   weave page.html one.md
   expect_html '<code class="together">--option</code>' \
-    '<code>run <span class="together">--load</span> 1</code>' '<code>a-b</code>' '<mi mathvariant="normal">Pe</mi>' \
+    '<code>run <span class="together">--load</span> 1</code>' '4 %, 5 m/s:' \
+    '<mo>=</mo><mo form="prefix">+</mo><mn>1</mn>' '<mn>2</mn><mi>ℓ</mi>' '<code>a-b</code>' '<mi mathvariant="normal">Pe</mi>' \
     '<mo stretchy="false" form="prefix">(</mo><mi>x</mi><mo stretchy="false" form="postfix">)</mo>' \
     '<mo>=</mo><mo form="prefix">−</mo><mo lspace="0.167em" rspace="0">ln</mo>' \
     '<msup><mrow><mo minsize="1.8em"' '</math>,</span>' '<mtable class="aligned" displaystyle="true">' \
