@@ -44,9 +44,12 @@ std::vector<Violation> violations(const Factors& at) {
   return found;
 }
 
-bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x.what == y.what; });
+bool same_violations(const std::vector<Violation>& a, const std::vector<Violation>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    const double shared = std::min(x.to, y.to) - std::max(x.from, y.from);
+    const double covered = std::max(x.to, y.to) - std::min(x.from, y.from);
+    return x.what == y.what && shared >= covered / 2;
+  });
 }
 
 }  // namespace thermoroll

@@ -250,7 +250,7 @@ CoupledSolution refine(const Scene& scene, Formulation formulation, double toler
         level.crossing->heat_error = std::abs(level.crossing->heat - last.crossing->heat);
         level.crossing->edge_error = std::abs(level.crossing->edge - last.crossing->edge);
       }
-      if (found.error <= tolerance && same_kinds(level.violations, last.violations))
+      if (found.error <= tolerance && same_violations(level.violations, last.violations))
         return solution_of(scene, formulation, level, found, trace);
       stalled =
           n > 64 && found.error > 0.5 * best && found.error > 100 * tolerance ? stalled + 1 : 0;
@@ -259,8 +259,10 @@ CoupledSolution refine(const Scene& scene, Formulation formulation, double toler
     }
     if (stalled == 2 || n == most_unknowns) break;
   }
-  throw NotResolved("coupled: not resolved to " + shortest(tolerance) + " with " +
-                        std::to_string(n) + " unknowns",
+  const bool only_verdict = found.error <= tolerance;
+  throw NotResolved((only_verdict ? "coupled: whether it is a contact is not resolved"
+                                  : "coupled: not resolved to " + shortest(tolerance)) +
+                        " with " + std::to_string(n) + " unknowns",
                     trace);
 }
 

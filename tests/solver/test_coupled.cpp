@@ -930,6 +930,34 @@ TEST(Coupled, LeavesTheWrongRootOfACoarseGrid) {
   EXPECT_GT(x.value(Quantity::load_ratio), 0);
 }
 
+// Two coarse grids in a row see backward slip, each elsewhere or over another width: a ripple, as
+// finer grids have none. Those are asked before the scene is said to be no contact.
+TEST(Coupled, ARippleOfCoarseGridsIsNoViolation) {
+  const thermoroll::Scene driven{0.01591978624925062, 72121474.98818243, 29.312742128489027};
+  const CoupledSolution x = solve_coupled(driven, Formulation::corrected, 0.0039,
+                                          {Quantity::traction, 0.015919786249166484});
+  EXPECT_TRUE(x.violations.empty()) << x.violations.front().what;
+  thermoroll::Scene braking{0.2242823536788583, 34278148.88996661, 10.440881598130252};
+  braking.direction = thermoroll::Direction::braking;
+  const CoupledSolution y = solve_coupled(braking, Formulation::printed, 0.0064,
+                                          {Quantity::stick_slip_border, 0.3408070322068921});
+  EXPECT_TRUE(y.violations.empty()) << y.violations.front().what;
+}
+
+// Ripples that even the finest grids have, in other places each, are no verdict either way.
+TEST(Coupled, AVerdictThatIsNotResolvedIsRefused) {
+  thermoroll::Scene scene{0.056729898331024264, 76671672.42413932, 99.60937079850194};
+  scene.direction = thermoroll::Direction::braking;
+  try {
+    solve_coupled(scene, Formulation::printed, 2e-3,
+                  {Quantity::stick_slip_border, -0.11134446891527161});
+    FAIL() << "solved";
+  } catch (const thermoroll::NotResolved& refusal) {
+    EXPECT_STREQ(refusal.what(),
+                 "coupled: whether it is a contact is not resolved with 480 unknowns");
+  }
+}
+
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
 // node.
 TEST(Coupled, ProfilesCarryTheLoads) {

@@ -33,7 +33,7 @@ using thermoroll::FluxMap;
 using thermoroll::Formulation;
 using thermoroll::PublishedSolution;
 using thermoroll::Quantity;
-using thermoroll::same_kinds;
+using thermoroll::same_violations;
 using thermoroll::Violation;
 namespace kernel = thermoroll::kernel;
 namespace naive_scaled = thermoroll::naive_scaled;
@@ -434,18 +434,22 @@ TEST(Admissibility, ClosedFormIsAContact) {
       EXPECT_TRUE(thermoroll::violations(carter_factors(friction, border)).empty()) << border;
 }
 
-// Each condition, made to fail on an interval by a straight line through zero at its ends, is named
-// with that interval; so is more than one at a time, and a NaN.
-// The same conditions agree wherever they are violated; another condition, or one more, does not.
+// The same conditions agree in intervals of which half is shared; elsewhere, or with another
+// condition, or with one more, they do not.
 TEST(Admissibility, TheSameConditionsAreViolated) {
   const Violation separation{"separation", -1, 0}, elsewhere{"separation", 0, 1},
-      backward{"backward slip", -1, 0};
-  EXPECT_TRUE(same_kinds({}, {}));
-  EXPECT_TRUE(same_kinds({separation, backward}, {elsewhere, backward}));
-  EXPECT_FALSE(same_kinds({separation}, {backward}));
-  EXPECT_FALSE(same_kinds({separation}, {separation, backward}));
+      twice{"separation", -1, 1}, narrow{"separation", -1, -0.51}, backward{"backward slip", -1, 0};
+  EXPECT_TRUE(same_violations({}, {}));
+  EXPECT_TRUE(same_violations({separation, backward}, {twice, backward}));
+  EXPECT_TRUE(same_violations({twice}, {separation}));
+  EXPECT_FALSE(same_violations({separation}, {elsewhere}));
+  EXPECT_FALSE(same_violations({separation}, {narrow}));
+  EXPECT_FALSE(same_violations({separation}, {backward}));
+  EXPECT_FALSE(same_violations({separation}, {separation, backward}));
 }
 
+// Each condition, made to fail on an interval by a straight line through zero at its ends, is named
+// with that interval; so is more than one at a time, and a NaN.
 TEST(Admissibility, NamesEveryViolationAndItsPlace) {
   const double border = 0.105;
   const auto only = [](const Factors& x, const std::string& what, double from, double to) {

@@ -28,7 +28,7 @@ struct Violation {
 /// The violated conditions, in that order; a NaN is a violation. Empty for a contact.
 std::vector<Violation> violations(const Factors& at);
 
-/// Whether both name the same conditions, at whatever places.
-bool same_kinds(const std::vector<Violation>& a, const std::vector<Violation>& b);
+/// Whether both name the same conditions, in intervals that share half of what they cover together.
+bool same_violations(const std::vector<Violation>& a, const std::vector<Violation>& b);
 
 }  // namespace thermoroll
