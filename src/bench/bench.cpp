@@ -51,7 +51,7 @@ constexpr Formulation sign = Formulation::corrected;
 
 /// Both sides of the equations on the last grid, for an h of so many terms.
 struct LastGrid {
-  CoupledSolution x = solve_coupled(steel, sign, 1e-8, {Quantity::traction, 0.5});
+  CoupledSolution x = solve_coupled(steel, {sign, 1e-8}, {Quantity::traction, 0.5});
   SmoothFlux flux = smooth_flux(x);
   ContactGrid grid = contact_grid(steel, sign, {flux.slip, flux.stick}, 60);
   ThermalTerms thermal(Eigen::Index terms) const {
@@ -103,9 +103,9 @@ void random_scenes_by(benchmark::State& state, bool ladder, double tolerance) {
     for (const auto& [scene, pull, formulation] : scenes) try {
         const Prescribed given{Quantity::traction, pull};
         if (ladder) {
-          benchmark::DoNotOptimize(least_model(scene, formulation, tolerance, given));
+          benchmark::DoNotOptimize(least_model(scene, {formulation, tolerance}, given));
         } else {
-          benchmark::DoNotOptimize(solve_coupled(scene, formulation, tolerance, given));
+          benchmark::DoNotOptimize(solve_coupled(scene, {formulation, tolerance}, given));
         }
       } catch (const std::runtime_error&) {  // refused by both
       }
@@ -125,7 +125,7 @@ void carters_problem(benchmark::State& state) {
   const double given = carter(0.3, 0.192).creep;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        solve_coupled({0.3, 1, 0}, Formulation::corrected, 1e-6, {Quantity::creep, given}));
+        solve_coupled({0.3, 1, 0}, {Formulation::corrected, 1e-6}, {Quantity::creep, given}));
 }
 
 using Solve = std::function<void()>;
@@ -157,7 +157,7 @@ Solve solve_of(Scene scene, const Three& all) {
   return [scene, all]() mutable {
     for (const Prescribed& given : all) {
       scene.roller.heating *= 1 + 1e-14;
-      benchmark::DoNotOptimize(solve_coupled(scene, sign, 1e-6, given));
+      benchmark::DoNotOptimize(solve_coupled(scene, {sign, 1e-6}, given));
     }
   };
 }

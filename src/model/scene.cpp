@@ -90,14 +90,15 @@ void check(const PhysicalScene& si) {
 
 double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }
 
-double heating_of_both(const Scene& scene) {
-  const Roller& roller = scene.roller;
-  const double other = roller.conductivity_ratio * roller.heating * peclet_ratio(scene);
-  return heat_share(scene) * (scene.heating + other);
-}
+double heating_2(const Scene& scene) { return scene.roller.heating * peclet_ratio(scene); }
 
 double distortions_apart(const Scene& scene) {
-  return scene.peclet * scene.heating - peclet_2(scene) * scene.roller.heating;
+  return scene.peclet * (scene.heating - heating_2(scene));
+}
+
+double heating_of_both(const Scene& scene) {
+  const double other = scene.roller.conductivity_ratio * heating_2(scene);
+  return heat_share(scene) * (scene.heating + other);
 }
 
 bool same_bodies(const Scene& a, const Scene& b) {
@@ -108,9 +109,7 @@ bool same_bodies(const Scene& a, const Scene& b) {
 }
 
 double strain_share(const Scene& scene) {
-  const Roller& roller = scene.roller;
-  const double own = scene.heating;
-  const double other = roller.conductivity_ratio * roller.heating * peclet_ratio(scene);
+  const double own = scene.heating, other = scene.roller.conductivity_ratio * heating_2(scene);
   return own + other > 0 ? sign_of(scene.direction) * (own - other) / (own + other) : 0;
 }
 

@@ -111,10 +111,11 @@ class SceneFile : public CLI::ConfigBase {
 };
 
 void say_what_is_unused(const SceneOptions& o) {
-  const bool scheme = value_of(method_names, o.method) == Method::gauss_chebyshev;
+  const bool scheme = o.approach.method == Method::gauss_chebyshev;
+  const std::string method = name_of(method_names, o.approach.method);
   if (scheme ? o.tolerance.has_value() : o.nodes.has_value())
     std::fprintf(stderr, "thermoroll: note: %s makes no difference to --method %s\n",
-                 scheme ? "--tolerance" : "--nodes", o.method.c_str());
+                 scheme ? "--tolerance" : "--nodes", method.c_str());
 }
 
 void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const SceneOptions& o) {

@@ -97,16 +97,27 @@ void declare(CLI::App& command, SceneOptions& o, const SceneOption& option, cons
 }
 
 template <class T, std::size_t n>
-void add_word(CLI::App& command, const std::string& name, std::string& word,
-              const Name<T> (&names)[n], const char* meaning, const char* group) {
-  command.add_option("--" + name, word, meaning)
-      ->type_name(joined(words(names), "|"))
-      ->check(one_of(name, words(names)))
+void take_word(CLI::Option* option, const Name<T> (&names)[n], const char* group) {
+  option->type_name(joined(words(names), "|"))
+      ->check(one_of(option->get_name().substr(2), words(names)))
       ->group(group);
 }
 
+template <class T, std::size_t n>
+void add_word(CLI::App& command, const std::string& name, std::string& word,
+              const Name<T> (&names)[n], const char* meaning, const char* group) {
+  take_word(command.add_option("--" + name, word, meaning), names, group);
+}
+
+template <class T, std::size_t n>
+void add_word(CLI::App& command, const std::string& name, T& value, const Name<T> (&names)[n],
+              const char* meaning, const char* group) {
+  const auto store = [&](const std::string& word) { value = value_of(names, word); };
+  take_word(command.add_option_function<std::string>("--" + name, store, meaning), names, group);
+}
+
 void add_approach(CLI::App& command, SceneOptions& o) {
-  add_word(command, "method", o.method, method_names,
+  add_word(command, "method", o.approach.method, method_names,
            "auto unless given: the least model for the tolerance", "Method");
   const char* range = "1e-11 to 1e-2; 1e-6 unless given";
   declare(command, o, {"--tolerance", "NUMBER", range, &SceneOptions::tolerance}, "Method");
@@ -114,7 +125,7 @@ void add_approach(CLI::App& command, SceneOptions& o) {
       ->type_name("NUMBER")
       ->check(whole_number("nodes"))
       ->group("Method");
-  add_word(command, "formulation", o.formulation, formulation_names,
+  add_word(command, "formulation", o.approach.formulation, formulation_names,
            "sign of the slope, corrected unless given", "Method");
 }
 
@@ -136,9 +147,7 @@ void add_law(CLI::App& command, SceneOptions& o) {
 }
 
 Approach read_approach(const SceneOptions& o) {
-  Approach a;
-  a.method = value_of(method_names, o.method);
-  a.formulation = value_of(formulation_names, o.formulation);
+  Approach a = o.approach;
   a.nodes = o.nodes.value_or(a.nodes);
   a.tolerance = o.tolerance.value_or(a.tolerance);
   return a;

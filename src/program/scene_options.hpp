@@ -30,7 +30,7 @@ struct SceneOptions {
   std::string friction_law = "constant", branch;
   Maybe friction_temperature, friction_floor, friction_reference_temperature;
   Maybe bulk_temperature, bulk_temperature_2, bulk_difference;
-  std::string method = "auto", formulation = "corrected";
+  Approach approach;
   std::optional<int> nodes;
   Maybe tolerance;
 };

@@ -286,8 +286,9 @@ void refuse_beyond(const Points& points, const std::optional<TractionLimit>& lim
 
 }  // namespace
 
-CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, double tolerance,
-                                double asked, Branch branch) {
+CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, double asked,
+                                Branch branch) {
+  const Formulation formulation = approach.formulation;
   CurveSamples x = sample_curve({scene, formulation, 12}, asked, branch);
   while (!x.whole && x.curve.n < 48)
     x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
@@ -295,16 +296,16 @@ CoupledSolution solve_on_branch(const Scene& scene, Formulation formulation, dou
   const std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
-  if (top) limit = traction_limit(x.curve, tolerance, *top, highest.solution);
+  if (top) limit = traction_limit(x.curve, approach.tolerance, *top, highest.solution);
   refuse_beyond(x.points, limit, branch, asked, sign_of(scene.direction));
   const auto [level, local] =
       about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
   const Prescribed given{traction, asked};
   const Results by_rho = derivative(local, 1, local.middle);
   Results slope = by_rho / by_rho(traction);
-  CoupledSolution found = refine(
-      scene, formulation, tolerance, given, level, slope, [&](int n, const GridSolution& last) {
-        return settle({scene, formulation, n}, given, last, slope, tolerance / 10);
+  CoupledSolution found =
+      refine(scene, approach, given, level, slope, [&](int n, const GridSolution& last) {
+        return settle({scene, formulation, n}, given, last, slope, approach.tolerance / 10);
       });
   found.limit = limit;
   found.branch = branch;

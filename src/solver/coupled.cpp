@@ -229,9 +229,9 @@ Results carter_slope(const Carter& c, Quantity by) {
   return change / change(by);
 }
 
-CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
-                       const Prescribed& given, GridSolution level, Results& slope,
-                       const NextGrid& next) {
+CoupledSolution refine(const Scene& scene, const Approach& approach, const Prescribed& given,
+                       GridSolution level, Results& slope, const NextGrid& next) {
+  const double tolerance = approach.tolerance;
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
@@ -251,7 +251,7 @@ CoupledSolution refine(const Scene& scene, Formulation formulation, double toler
         level.crossing->edge_error = std::abs(level.crossing->edge - last.crossing->edge);
       }
       if (found.error <= tolerance && same_violations(level.violations, last.violations))
-        return solution_of(scene, formulation, level, found, trace);
+        return solution_of(scene, approach.formulation, level, found, trace);
       stalled =
           n > 64 && found.error > 0.5 * best && found.error > 100 * tolerance ? stalled + 1 : 0;
     } else {
@@ -266,17 +266,19 @@ CoupledSolution refine(const Scene& scene, Formulation formulation, double toler
                     trace);
 }
 
-CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
                               const Prescribed& given) {
+  const Formulation formulation = approach.formulation;
+  const double tolerance = approach.tolerance;
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   if (scene.law && given.quantity == traction)
-    return solve_on_branch(scene, formulation, tolerance, given.value, given.branch);
+    return solve_on_branch(scene, approach, given.value, given.branch);
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Results slope;
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
-  if (level.newton_steps == 0) return solve_full_slip(scene, formulation, tolerance, given.value);
-  return refine(scene, formulation, tolerance, given, level, slope, [&](int n, const auto& last) {
+  if (level.newton_steps == 0) return solve_full_slip(scene, approach, given.value);
+  return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
     const double step = slope(stick_slip_border) * residual(last, given);
     return solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
   });

@@ -29,13 +29,12 @@ struct ExchangingPair {
 };
 
 ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
-  const Roller& roller = scene.roller;
-  const double pe_2 = peclet_2(scene);
-  const double d1 = scene.friction * scene.peclet * scene.heating;
-  const double d2 = scene.friction * pe_2 * roller.heating;
+  const double unit = scene.friction * scene.peclet;
+  const double d1 = unit * scene.heating, d2 = unit * heating_2(scene);
   const double outward = -slope_sign(formulation), along = sign_of(scene.direction) / pi;
-  const double ratio = 1 / roller.conductivity_ratio, share = heat_share(scene);
-  return {scene.peclet, pe_2, ratio, share, outward * d1, -outward * d2, along * d1, along * d2};
+  const double ratio = 1 / scene.roller.conductivity_ratio, share = heat_share(scene);
+  return {scene.peclet, peclet_2(scene), ratio,      share,
+          outward * d1, -outward * d2,   along * d1, along * d2};
 }
 
 /// The map of a zone: its length, the fineness of the stick zone's exponential (zero on the slip

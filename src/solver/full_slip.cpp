@@ -70,8 +70,8 @@ void forget_the_edge(GridSolution& x, double length) {
   all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
 }
 
-CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, double tolerance,
-                                double creep) {
+CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep) {
+  const Formulation formulation = approach.formulation;
   const GridSolution level = coarse_full_slip(scene, formulation, creep);
   if (level.newton_steps == 0 || !(level.value(load_ratio) > 0))
     refuse_without_contact(scene, formulation, creep);
@@ -79,10 +79,10 @@ CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, dou
   const double more = 1e-3 * creep;
   Results slope =
       (solve_slipping_grid(scene, formulation, n, creep + more, level).value - level.value) / more;
-  return refine(scene, formulation, tolerance, {Quantity::creep, creep}, level, slope,
+  return refine(scene, approach, {Quantity::creep, creep}, level, slope,
                 [&](int finer, const GridSolution& last) {
                   GridSolution x = solve_slipping_grid(scene, formulation, finer, creep, last);
-                  forget_the_edge(x, 0.5 * std::sqrt(tolerance));
+                  forget_the_edge(x, 0.5 * std::sqrt(approach.tolerance));
                   return x;
                 });
 }

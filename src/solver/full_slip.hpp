@@ -12,8 +12,7 @@ ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, d
 
 /// Solve in full slip for a creep; arguments and errors as for solve_coupled. Refuses a creep at
 /// which there is no contact by std::invalid_argument.
-CoupledSolution solve_full_slip(const Scene& scene, Formulation formulation, double tolerance,
-                                double creep);
+CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep);
 
 /// Drop a backward slip over less than this length at the leading edge.
 void forget_the_edge(GridSolution& x, double length);

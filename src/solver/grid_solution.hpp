@@ -66,8 +66,7 @@ using NextGrid = std::function<GridSolution(int n, const GridSolution& last)>;
 
 /// Refine a coarse solution, grid by grid, until the estimated error is below the tolerance; slope
 /// is the derivative of all quantities with respect to the given one. Throws NotResolved.
-CoupledSolution refine(const Scene& scene, Formulation formulation, double tolerance,
-                       const Prescribed& given, GridSolution level, Results& slope,
-                       const NextGrid& next);
+CoupledSolution refine(const Scene& scene, const Approach& approach, const Prescribed& given,
+                       GridSolution level, Results& slope, const NextGrid& next);
 
 }  // namespace thermoroll

@@ -191,30 +191,29 @@ double largest_error(const CoupledSolution& x) {
   return (x.error / scale_of(x.value)).head(compared).maxCoeff();
 }
 
-CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
-                            const Prescribed& given) {
+CoupledSolution closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const Carter c = carter_given(scene.friction, given);
   const ZoneLengths at = zones_of(c);
   const VectorXd h = carter_h(at, scene.friction);
-  const HottestPoint top = hottest_of_carter(at, scene.friction, scene.peclet, tolerance);
+  const HottestPoint top = hottest_of_carter(at, scene.friction, scene.peclet, approach.tolerance);
   Results error = Results::Zero();
   if (heating_of_both(scene) > 0)
-    error = error_of_closed_form(correct(scene, formulation, given, c, h, 6));
-  error(Quantity::max_temperature) += 0.1 * tolerance;
+    error = error_of_closed_form(correct(scene, approach.formulation, given, c, h, 6));
+  error(Quantity::max_temperature) += 0.1 * approach.tolerance;
   Scene cold = scene;  // as its tractions are
   cold.heating = cold.roller.heating = 0;
-  return as_solution(cold, formulation, h, carter_values(c), c, top, error, given);
+  return as_solution(cold, approach.formulation, h, carter_values(c), c, top, error, given);
 }
 
-CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
-                            const Prescribed& given) {
+CoupledSolution first_order(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const Carter cold = carter_given(scene.friction, given);
   const VectorXd h0 = carter_h(zones_of(cold), scene.friction);
+  const Formulation formulation = approach.formulation;
   const Correction x = correct(scene, formulation, given, cold, h0, 16);
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
   const ZoneLengths at = zones_of(x.carter);
   const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
-  const GaussLegendre& rule = graded_nodes(tolerance, at.slip * scene.peclet);
+  const GaussLegendre& rule = graded_nodes(approach.tolerance, at.slip * scene.peclet);
   const HottestPoint top = find_hottest(at.slip, Conduction(scene), h, near, rule);
   const Correction next = correct(scene, formulation, given, x.carter, h, 13);
   Results later = (next.value - x.value).abs() / scale_of(x.value);
@@ -224,22 +223,22 @@ CoupledSolution first_order(const Scene& scene, Formulation formulation, double 
   const double sum = r < 1 ? 1 / (1 - r) : std::numeric_limits<double>::infinity();
   const double most = later.head(compared).maxCoeff();
   Results error = sum * (2 * later + r * most) + grid_error(x);
-  error(Quantity::max_temperature) += 0.1 * tolerance;
+  error(Quantity::max_temperature) += 0.1 * approach.tolerance;
   CoupledSolution solution =
       as_solution(scene, formulation, h, x.value, x.carter, top, error, given);
   solution.violations = x.violations;
   return solution;
 }
 
-Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
-                   const Prescribed& given) {
+Choice least_model(const Scene& scene, const Approach& approach, const Prescribed& given) {
+  const double tolerance = approach.tolerance;
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   if (const char* why = why_coupled(scene, given))
-    return {Model::coupled, why, solve_coupled(scene, formulation, tolerance, given)};
+    return {Model::coupled, why, solve_coupled(scene, approach, given)};
   double change = expected_change(scene, carter_given(scene.friction, given));
   if (change <= tolerance) {
-    CoupledSolution x = closed_form(scene, formulation, tolerance, given);
+    CoupledSolution x = closed_form(scene, approach, given);
     change = largest_error(x);
     if (change <= tolerance)
       return {Model::closed_form, "heat changes no result by more than " + brief(change), x};
@@ -247,7 +246,7 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
   double left = expected_second_order(change);
   std::string reason = "one linear correction is expected to leave out " + brief(left);
   if (left <= tolerance) {
-    CoupledSolution x = first_order(scene, formulation, tolerance, given);
+    CoupledSolution x = first_order(scene, approach, given);
     left = largest_error(x);
     const bool contact = x.violations.empty();
     if (left <= tolerance && contact)
@@ -255,7 +254,7 @@ Choice least_model(const Scene& scene, Formulation formulation, double tolerance
     reason = contact ? "one linear correction may leave out " + brief(left)
                      : "one linear correction is no contact";
   }
-  return {Model::coupled, reason, solve_coupled(scene, formulation, tolerance, given)};
+  return {Model::coupled, reason, solve_coupled(scene, approach, given)};
 }
 
 }  // namespace thermoroll

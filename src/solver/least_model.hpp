@@ -20,10 +20,8 @@ double expected_second_order(double change);
 /// The lower levels, as solutions of the coupled problem. Errors include what the model leaves out,
 /// and are infinite where heat is too strong for one linear correction. The closed form's h has ten
 /// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
-CoupledSolution closed_form(const Scene& scene, Formulation formulation, double tolerance,
-                            const Prescribed& given);
-CoupledSolution first_order(const Scene& scene, Formulation formulation, double tolerance,
-                            const Prescribed& given);
+CoupledSolution closed_form(const Scene& scene, const Approach& approach, const Prescribed& given);
+CoupledSolution first_order(const Scene& scene, const Approach& approach, const Prescribed& given);
 
 /// The largest difference of any quantity but the position of the hottest point, in units of what
 /// its tolerance is relative to; dimensionless.
@@ -41,7 +39,6 @@ struct Choice {
 
 /// Solve by the least model whose estimated error meets the tolerance. Arguments, errors and
 /// refusals as for solve_coupled.
-Choice least_model(const Scene& scene, Formulation formulation, double tolerance,
-                   const Prescribed& given);
+Choice least_model(const Scene& scene, const Approach& approach, const Prescribed& given);
 
 }  // namespace thermoroll

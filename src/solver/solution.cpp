@@ -30,11 +30,10 @@ void set_given(const Prescribed& given, Results& value, Results& error) {
 
 Choice choose(const Scene& scene, const Approach& a, const Prescribed& given) {
   const std::string asked = "asked for";
-  if (a.method == Method::coupled)
-    return {Model::coupled, asked, solve_coupled(scene, a.formulation, a.tolerance, given)};
+  if (a.method == Method::coupled) return {Model::coupled, asked, solve_coupled(scene, a, given)};
   if (a.method == Method::first_order)
-    return {Model::first_order, asked, first_order(scene, a.formulation, a.tolerance, given)};
-  return least_model(scene, a.formulation, a.tolerance, given);
+    return {Model::first_order, asked, first_order(scene, a, given)};
+  return least_model(scene, a, given);
 }
 
 Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const Prescribed& given) {

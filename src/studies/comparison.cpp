@@ -51,13 +51,13 @@ Found found(const CoupledSolution& x) {
 }
 
 Found coupled_to(const Scene& scene, double tolerance) try {
-  return found(solve_coupled(scene, sign, tolerance, {Quantity::traction, pull}));
+  return found(solve_coupled(scene, {sign, tolerance}, {Quantity::traction, pull}));
 } catch (const std::runtime_error&) {  // not resolved
   return {nan, nan, nan};
 }
 
 Found corrected_once(const Scene& scene) {
-  return found(first_order(scene, sign, 1e-6, {Quantity::traction, pull}));
+  return found(first_order(scene, {sign, 1e-6}, {Quantity::traction, pull}));
 }
 
 Found without_heat(const Scene& scene) { return {1, nan, carter(scene.friction, pull).creep}; }
@@ -151,8 +151,9 @@ Found reference(const Regime& regime) {
 CarterErrors carter_errors() {
   const Carter exact = carter(0.3, 0.192);  // 1 - 0.6^2 = 0.64 of the friction
   const Scene scene{0.3, 1, 0};
-  const CoupledSolution at_creep = solve_coupled(scene, sign, 1e-6, {Quantity::creep, exact.creep});
-  const CoupledSolution at_force = solve_coupled(scene, sign, 1e-6, {Quantity::traction, 0.192});
+  const CoupledSolution at_creep =
+      solve_coupled(scene, {sign, 1e-6}, {Quantity::creep, exact.creep});
+  const CoupledSolution at_force = solve_coupled(scene, {sign, 1e-6}, {Quantity::traction, 0.192});
   const Profile x = profile(at_creep);
   double worst = 0;
   for (Eigen::Index i = 0; i < x.s.size(); ++i)

@@ -65,8 +65,9 @@ void values_on_contacts(nlohmann::ordered_json& v) {
   for (Sample x : random_scenes(count)) {
     x.scene.heating *= 10;
     const Prescribed given{Quantity::traction, x.traction};
-    const Outcome found =
-        outcome([&] { return solve_coupled(x.scene, x.formulation, 1e-3, given); });
+    const Outcome found = outcome([&] {
+      return solve_coupled(x.scene, {x.formulation, 1e-3}, given);
+    });
     refused += found == Outcome::refused ? 1 : 0;
     wrong += found == Outcome::no_contact ? 1 : 0;
     const SchemeEnd end = end_of_scheme(x.scene, x.traction, x.formulation);
@@ -89,7 +90,9 @@ std::array<int, 3> survivors(Formulation formulation, double heating) {
       const double f = paper::friction;
       const Scene scene{f, std::pow(10, decade), heating};
       const Prescribed given{Quantity::traction, f * share};
-      const Outcome found = outcome([&] { return solve_coupled(scene, formulation, 1e-3, given); });
+      const Outcome found = outcome([&] {
+        return solve_coupled(scene, {formulation, 1e-3}, given);
+      });
       ++count[static_cast<std::size_t>(found)];
     }
   return count;
@@ -114,8 +117,9 @@ void ends(std::ostream& out) {
   for (const double speed : grid(-3, 8, 33)) {
     const double peclet = std::pow(10, speed);
     const Scene scene{paper::friction, peclet, 0};
-    const double top = solve_coupled(scene, Formulation::corrected, 1e-9, {Quantity::traction, 0.5})
-                           .value(Quantity::max_temperature);
+    const double top =
+        solve_coupled(scene, {Formulation::corrected, 1e-9}, {Quantity::traction, 0.5})
+            .value(Quantity::max_temperature);
     row(out, peclet, std::abs(fast / std::sqrt(peclet) / top - 1),
         std::abs(hottest_when_slow(flux, peclet) / top - 1));
   }

@@ -23,7 +23,7 @@ Scene softened(double lambda, double peclet, double heating) {
 }
 
 CoupledSolution found(const Scene& scene, const Prescribed& given, double tolerance = 1e-5) {
-  return solve_coupled(scene, Formulation::corrected, tolerance, given);
+  return solve_coupled(scene, {Formulation::corrected, tolerance}, given);
 }
 
 double traction_at(const Scene& scene, double creep) {

@@ -24,8 +24,7 @@ double most_heating(const Level& level, double peclet, double tolerance) {
   while (high > 1.01 * low) {
     const double middle = std::sqrt(low * high);
     const Scene scene{paper::friction, peclet, middle};
-    const auto x =
-        level(scene, Formulation::corrected, tolerance, Prescribed{Quantity::traction, 0.5});
+    const auto x = level(scene, {Formulation::corrected, tolerance}, {Quantity::traction, 0.5});
     (largest_error(x) <= tolerance ? low : high) = middle;
   }
   return low;
@@ -54,8 +53,8 @@ struct Trial {
 Trial run_trial(const Sample& x, double tolerance) {
   const Prescribed given{Quantity::traction, x.traction};
   try {
-    const Choice choice = least_model(x.scene, x.formulation, tolerance, given);
-    const CoupledSolution better = solve_coupled(x.scene, x.formulation, tolerance / 10, given);
+    const Choice choice = least_model(x.scene, {x.formulation, tolerance}, given);
+    const CoupledSolution better = solve_coupled(x.scene, {x.formulation, tolerance / 10}, given);
     const double off = largest_difference(choice.solution.value, better.value);
     return {static_cast<int>(choice.model), off / tolerance};
   } catch (const std::runtime_error&) {
@@ -131,9 +130,9 @@ void compare(const CoupledSolution& x, const CoupledSolution& exact, Ratios& rat
 void stated_errors(std::ostream& out) {
   Ratios ratios[2];
   for (const SmallContact& x : small_contacts()) try {
-      const auto exact = solve_coupled(x.scene, x.formulation, 1e-9, x.given);
-      compare(closed_form(x.scene, x.formulation, 1e-9, x.given), exact, ratios[0]);
-      compare(first_order(x.scene, x.formulation, 1e-9, x.given), exact, ratios[1]);
+      const auto exact = solve_coupled(x.scene, {x.formulation, 1e-9}, x.given);
+      compare(closed_form(x.scene, {x.formulation, 1e-9}, x.given), exact, ratios[0]);
+      compare(first_order(x.scene, {x.formulation, 1e-9}, x.given), exact, ratios[1]);
     } catch (const std::exception&) {  // refused by name
     }
   row(out, "result", "closed form: told", "median", "beyond", "first order: told", "its median",
@@ -158,12 +157,12 @@ void values_on_least_model(nlohmann::ordered_json& v) {
   const Prescribed given{Quantity::traction, 0.5};
   const auto model = [&](double tolerance) {
     const char* const names[] = {"closed form", "first order in the heat", "coupled"};
-    const Choice x = least_model(scene, Formulation::corrected, tolerance, given);
+    const Choice x = least_model(scene, {Formulation::corrected, tolerance}, given);
     return names[static_cast<int>(x.model)];
   };
   const double lambda = 2 * paper::closed_form(0.5).slip_half_width * paper::peclet;
-  const CoupledSolution best = solve_coupled(scene, Formulation::corrected, 1e-8, given);
-  const CoupledSolution cold = closed_form(scene, Formulation::corrected, 1e-8, given);
+  const CoupledSolution best = solve_coupled(scene, {Formulation::corrected, 1e-8}, given);
+  const CoupledSolution cold = closed_form(scene, {Formulation::corrected, 1e-8}, given);
   const double most = largest_difference(cold.value, best.value);
   v["least_scenes"] = std::to_string(random_count);
   v["least_small"] = std::to_string(small_count);
@@ -174,7 +173,7 @@ void values_on_least_model(nlohmann::ordered_json& v) {
   v["least_paper_6"] = model(1e-6);
   v["least_paper_change"] = scientific(most, 1);
   v["least_paper_square"] = scientific(most * most, 1);
-  const CoupledSolution once = first_order(scene, Formulation::corrected, 1e-8, given);
+  const CoupledSolution once = first_order(scene, {Formulation::corrected, 1e-8}, given);
   v["least_paper_left"] = scientific(largest_difference(once.value, best.value), 1);
   v["least_paper_stated"] = scientific(largest_error(once), 1);
 }

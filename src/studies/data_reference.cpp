@@ -11,7 +11,7 @@ namespace {
 
 void reference_row(std::ostream& out, const std::string& roller, const Scene& scene,
                    const Prescribed& given) {
-  const Solution x = solve(scene, given, {Method::coupled, Formulation::corrected, 200, 1e-10});
+  const Solution x = solve(scene, given, {Formulation::corrected, 1e-10, Method::coupled});
   const auto digits = [&](Quantity what) { return fixed(x.value(what), 10); };
   const Results relative = *x.error / scale_of(x.value);
   row(out, roller, scene.peclet, scene.heating, digits(Quantity::traction),

@@ -12,7 +12,7 @@ namespace thermoroll {
 namespace {
 
 double traction_on_curve(const Scene& scene, double creep) {
-  const Approach exact{Method::coupled, Formulation::corrected, 0, 1e-8};
+  const Approach exact{Formulation::corrected, 1e-8, Method::coupled};
   return std::abs(solve(scene, {Quantity::creep, creep}, exact).value(Quantity::traction));
 }
 

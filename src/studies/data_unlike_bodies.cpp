@@ -12,7 +12,7 @@ namespace thermoroll {
 namespace {
 
 CoupledSolution at_border(const Scene& scene) {
-  return solve_coupled(scene, Formulation::corrected, 1e-8, {Quantity::stick_slip_border, -0.2});
+  return solve_coupled(scene, {Formulation::corrected, 1e-8}, {Quantity::stick_slip_border, -0.2});
 }
 
 /// The heat of friction, on the slip zone.
@@ -89,7 +89,7 @@ const FigureData hot_wheel_a_data{"hot-wheel-a", fluxes_of_a_hot_wheel};
 std::vector<CurvePoint> curve_of(double difference, const std::vector<double>& s) {
   Scene scene{paper::friction, 100, 0, {1, 0}};
   scene.bulk_difference = difference;
-  const Approach exact{Method::coupled, Formulation::corrected, 0, 1e-8};
+  const Approach exact{Formulation::corrected, 1e-8, Method::coupled};
   return temperature_curve(solve(scene, {Quantity::stick_slip_border, -0.2}, exact), s, 0).points;
 }
 

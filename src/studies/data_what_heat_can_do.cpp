@@ -37,9 +37,9 @@ void small_heat(std::ostream& out) {
     out << shortest(peclet);
     for (const double heating : {0.01, 0.1}) {
       const Scene scene{paper::friction, peclet, heating};
-      const CoupledSolution best = solve_coupled(scene, Formulation::corrected, 1e-10, given);
+      const CoupledSolution best = solve_coupled(scene, {Formulation::corrected, 1e-10}, given);
       for (const auto level : {closed_form, first_order}) {
-        const CoupledSolution x = level(scene, Formulation::corrected, 1e-9, given);
+        const CoupledSolution x = level(scene, {Formulation::corrected, 1e-9}, given);
         out << ',' << largest_difference(x.value, best.value);
       }
     }
@@ -72,8 +72,8 @@ Worst methods_at_their_worst() {
   Worst worst;
   for (const auto& [scene, q, formulation] : hottest_scenes(admissible_count)) {
     const Prescribed given{Quantity::traction, q};
-    const CoupledSolution best = solve_coupled(scene, formulation, 1e-8, given);
-    const CoupledSolution once = first_order(scene, formulation, 1e-8, given);
+    const CoupledSolution best = solve_coupled(scene, {formulation, 1e-8}, given);
+    const CoupledSolution once = first_order(scene, {formulation, 1e-8}, given);
     const FluxMap map = map_of({scene, q, formulation});
     Eigen::VectorXd h = carter_start(map);
     newton(map, h);

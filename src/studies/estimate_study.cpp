@@ -88,7 +88,7 @@ StudyScene study_scene(int number) {
 std::optional<StudyRow> study_row(int number) try {
   const StudyScene x = study_scene(number);
   const auto to = [&](double tolerance) {
-    return solve_coupled(x.scene, Formulation::corrected, tolerance, x.given);
+    return solve_coupled(x.scene, {Formulation::corrected, tolerance}, x.given);
   };
   const CoupledSolution found = to(x.tolerance), best = to(1e-10);
   const Results off = (found.value - best.value).abs(), scale = scale_of(best.value);

@@ -18,7 +18,7 @@ double scheme_max(double q, double pe, const PublishedOptions& options) {
 }
 
 CoupledSolution coupled(double q, double pe, Formulation with) {
-  return solve_coupled(scene(pe), with, 1e-8, {Quantity::traction, q});
+  return solve_coupled(scene(pe), {with, 1e-8}, {Quantity::traction, q});
 }
 
 Scene wheel(bool two_bodies, bool falls) {
@@ -34,7 +34,7 @@ Scene wheel(bool two_bodies, bool falls) {
 
 TractionLimit largest_traction(const Scene& scene) {
   const Prescribed small{Quantity::traction, 0.1 * scene.friction};
-  return *solve_coupled(scene, Formulation::corrected, 1e-6, small).limit;
+  return *solve_coupled(scene, {Formulation::corrected, 1e-6}, small).limit;
 }
 
 }  // namespace thermoroll::paper

@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       check(law);
       scene.law = law;
     }
-    const CoupledSolution found = solve_coupled(scene, formulation, x[4], given);
+    const CoupledSolution found = solve_coupled(scene, {formulation, x[4]}, given);
     if (!found.value.allFinite() || !found.error.allFinite()) fuzz::fail("not finite");
     if (found.unknowns < 1 || found.newton_steps < 1) fuzz::fail("nothing was solved");
   });

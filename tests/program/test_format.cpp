@@ -17,7 +17,7 @@ using enum thermoroll::Quantity;
 namespace {
 
 const Driven scene{0.6, 0.5, 300, 1};
-const Approach scheme{Method::gauss_chebyshev, Formulation::corrected, 60};
+const Approach scheme{.method = Method::gauss_chebyshev, .nodes = 60};
 
 std::map<std::string, std::string> cells_of(const Solution& x) {
   std::map<std::string, std::string> cells;
@@ -41,7 +41,7 @@ std::vector<std::string> line_of(const std::string& text, const std::string& fir
 
 // In these scenes no two of a solution's counts are the same, so that none can stand for another.
 TEST(Output, CountsAreThoseOfTheSolution) {
-  const Solution x = solve(scene, {Method::coupled}), y = solve(scene, scheme);
+  const Solution x = solve(scene, {.method = Method::coupled}), y = solve(scene, scheme);
   const auto& coupled = std::get<CoupledSolution>(x.found);
   const auto& printed = std::get<PublishedSolution>(y.found);
   ASSERT_NE(coupled.unknowns, coupled.newton_steps);
@@ -87,7 +87,8 @@ TEST(Output, TextTellsTheChosenModelAndWhy) {
             (std::vector<std::string>{"model", name_of(model_names, *x.model)}));
   EXPECT_NE(text.find(x.reason), std::string::npos);
   EXPECT_FALSE(x.reason.empty());
-  EXPECT_TRUE(line_of(present(solve(scene, {Method::coupled}), {}, Format::text), "model").empty());
+  EXPECT_TRUE(line_of(present(solve(scene, {.method = Method::coupled}), {}, Format::text), "model")
+                  .empty());
 }
 
 // A cell is read back as RFC 4180 says: what stands between quotes, each doubled quote being one.
@@ -116,8 +117,8 @@ TEST(Output, QuotedCellsReadBack) {
 // A single number of a scene in SI units or of its errors that is not finite is refused by name.
 TEST(Output, NoResultThatIsNotFinite) {
   const PhysicalScene c = wheel_on_rail();
-  const Solution x =
-      thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5}, {Method::closed_form});
+  const Solution x = thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5},
+                                       {.method = Method::closed_form});
   FoundInSi value = in_si_units(x, c), error = value;
   value.value.max_traction = error.error->max_traction = std::nan("");
   for (const FoundInSi& si : {value, error}) try {

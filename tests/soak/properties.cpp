@@ -67,7 +67,7 @@ std::string words_of(std::string message) {
 }
 
 CoupledSolution solve(const Sample& x, double given) {
-  return solve_coupled(x.scene, x.formulation, x.tolerance, {x.given.quantity, given});
+  return solve_coupled(x.scene, {x.formulation, x.tolerance}, {x.given.quantity, given});
 }
 
 /// What is said of a solution must be numbers, keep the tolerance and fit together.
@@ -118,7 +118,7 @@ void examine_without_heat(const Record& record, const Sample& x, const CoupledSo
 /// A lesser model is off by no more than it says. The coupled solution's own error counts tenfold,
 /// which its estimate may be exceeded by.
 void examine_least_model(const Record& record, const Sample& x, const CoupledSolution& found) {
-  const Choice least = least_model(x.scene, x.formulation, x.tolerance, x.given);
+  const Choice least = least_model(x.scene, {x.formulation, x.tolerance}, x.given);
   if (least.model == Model::coupled) return record.beside("the least model", "is the coupled one");
   const Results off = (least.solution.value - found.value).abs();
   const Results allowed = least.solution.error + 10 * found.error + 1e-15 * scale_of(found.value);

@@ -19,13 +19,13 @@ int main() {
     const double tolerance = std::pow(10, -2 - i % 4);
     const Formulation sign = i % 2 == 0 ? Formulation::corrected : Formulation::printed;
     try {
-      const CoupledSolution x = solve_coupled(scene, sign, tolerance, {Quantity::traction, q});
+      const CoupledSolution x = solve_coupled(scene, {sign, tolerance}, {Quantity::traction, q});
       const Eigen::ArrayXd s = Eigen::ArrayXd::LinSpaced(20, -1, 3);
       const SurfaceCurve curve = surface_curve(smooth_flux(x), scene.peclet, s, tolerance);
       for (const double value : x.value) std::printf("%a ", value);
       for (const double error : x.error) std::printf("%a ", error);
       for (const double value : curve.temperature) std::printf("%a ", value);
-      const Choice least = least_model(scene, sign, tolerance, {Quantity::traction, q});
+      const Choice least = least_model(scene, {sign, tolerance}, {Quantity::traction, q});
       std::printf("%d %a\n", static_cast<int>(least.model), least.solution.value(Quantity::creep));
     } catch (const std::exception& refusal) {
       std::puts(refusal.what());

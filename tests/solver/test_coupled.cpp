@@ -89,7 +89,7 @@ std::string name_of(Formulation formulation) {
 
 // Solve for the traction of the scene.
 CoupledSolution solve(const Driven& scene, Formulation formulation, double tolerance) {
-  return solve_coupled(scene, formulation, tolerance, {Quantity::traction, scene.traction});
+  return solve_coupled(scene, {formulation, tolerance}, {Quantity::traction, scene.traction});
 }
 
 // Slow and fast, little heat and much, a slip zone of a twentieth and of two thirds.
@@ -265,7 +265,7 @@ TEST(Coupled, ThermalSidesAgainstAdaptiveQuadrature) {
       SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet);
       const double c = thermoroll::carter(scene.friction, scene.traction).c0;
       const CoupledSolution x =
-          solve_coupled(scene, formulation, 1e-9, {Quantity::stick_slip_border, c});
+          solve_coupled(scene, {formulation, 1e-9}, {Quantity::stick_slip_border, c});
       ASSERT_EQ(x.value(Quantity::stick_slip_border), c);
       const Heat heat(scene, formulation, x);
       const Real c0 = c, f = scene.friction, a0 = (1 + c0) / 2, step = 1 / 10.0L;
@@ -427,7 +427,7 @@ TEST(Coupled, FluxMapIsTheProblemThatIsSolved) {
     for (const Formulation formulation : both) {
       const double c0 = thermoroll::carter(scene.friction, scene.traction).c0;
       const CoupledSolution x =
-          solve_coupled(scene, formulation, 1e-6, {Quantity::stick_slip_border, c0});
+          solve_coupled(scene, {formulation, 1e-6}, {Quantity::stick_slip_border, c0});
       const thermoroll::FluxMap map = thermoroll::flux_map(scene, formulation, x.unknowns, c0);
       const HeatFlux flux = thermoroll::coupled_flux(x);
       Eigen::VectorXd h(x.unknowns);
@@ -456,7 +456,7 @@ TEST(Coupled, TemperatureAgainstAdaptiveQuadrature) {
                                           << ", tolerance = " << tolerance);
         const double c0 = thermoroll::carter(scene.friction, scene.traction).c0;
         const CoupledSolution x =
-            solve_coupled(scene, formulation, tolerance, {Quantity::stick_slip_border, c0});
+            solve_coupled(scene, {formulation, tolerance}, {Quantity::stick_slip_border, c0});
         const thermoroll::Peak peak =
             thermoroll::hottest_point(thermoroll::coupled_flux(x), scene.peclet);
         EXPECT_TRUE(close(x.value(Quantity::max_temperature), peak.temperature.value,
@@ -487,7 +487,7 @@ TEST(Coupled, TemperatureWithoutHeatHasItsError) {
   for (double peclet = 1; peclet < 2e8; peclet *= peclet < 1e3 ? 1.5 : 10)
     for (const double q : {0.08 * f, 0.5 * f, 0.999 * f, (1 - 1e-11) * f})
       for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8}) {
-        const auto x = solve_coupled({f, peclet, 1e-12}, Formulation::corrected, tolerance,
+        const auto x = solve_coupled({f, peclet, 1e-12}, {Formulation::corrected, tolerance},
                                      {Quantity::traction, q});
         const auto top = thermoroll::hottest_point(
             thermoroll::smooth_flux(thermoroll::carter(f, q)), peclet, 1e-11);
@@ -522,7 +522,7 @@ TEST(Coupled, HottestOfTwoMaximaIsFound) {
   alike.roller = {1, alike.heating};
   for (const auto& [scene, c0] :
        {std::pair{pair, 0.26914439214229865}, {alike, 0.7278754076556548}}) {
-    const auto x = thermoroll::solve_coupled(scene, Formulation::corrected, 1e-5,
+    const auto x = thermoroll::solve_coupled(scene, {Formulation::corrected, 1e-5},
                                              {Quantity::stick_slip_border, c0});
     const double top = x.value(Quantity::max_temperature),
                  hottest = thermoroll::profile(x).temperature.maxCoeff();
@@ -558,8 +558,8 @@ TEST(Coupled, AgreementByAccidentIsNotBelieved) {
                              0.79934298996622832,
                              Formulation::corrected}}) {
     const thermoroll::Prescribed given{Quantity::stick_slip_border, row.c0};
-    const CoupledSolution x = solve_coupled(row.scene, row.formulation, 1e-6, given);
-    EXPECT_LE(excess(x, solve_coupled(row.scene, row.formulation, 1e-10, given)), 1)
+    const CoupledSolution x = solve_coupled(row.scene, {row.formulation, 1e-6}, given);
+    EXPECT_LE(excess(x, solve_coupled(row.scene, {row.formulation, 1e-10}, given)), 1)
         << "c0 = " << row.c0;
   }
 }
@@ -571,7 +571,7 @@ TEST(Coupled, EstimateIsNotBelowRounding) {
     for (const Formulation formulation : both)
       for (const double tolerance : {1e-6, 1e-9, 1e-11}) {
         const CoupledSolution x =
-            solve_coupled(scene, formulation, tolerance, {Quantity::stick_slip_border, -0.9});
+            solve_coupled(scene, {formulation, tolerance}, {Quantity::stick_slip_border, -0.9});
         const thermoroll::Results relative = x.error / thermoroll::scale_of(x.value);
         EXPECT_GE(relative.minCoeff(), 2.2e-16 * x.unknowns) << scene.peclet << ' ' << tolerance;
       }
@@ -676,8 +676,8 @@ TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
                      1e-2},
        }) {
     const Driven scene{x.friction, x.friction / 2, x.peclet, x.heating};
-    const CoupledSolution found = solve_coupled(scene, x.formulation, x.tolerance, x.given);
-    EXPECT_LE(excess(found, solve_coupled(scene, x.formulation, 1e-9, x.given)), 1)
+    const CoupledSolution found = solve_coupled(scene, {x.formulation, x.tolerance}, x.given);
+    EXPECT_LE(excess(found, solve_coupled(scene, {x.formulation, 1e-9}, x.given)), 1)
         << x.given.value;
   }
 }
@@ -722,7 +722,7 @@ TEST(Coupled, AgreesWithConvergedReferences) {
                              0.18040203, 0.01223361, 1.5e-8},
                          Row{Formulation::printed, 0.0175, 0.5000474349, 0.9987725488, -7.933124e-4,
                              0.2255916504, 0.0144915966, 2e-10}}) {
-    const CoupledSolution x = solve_coupled({friction, 100, row.heating}, row.formulation, 1e-9,
+    const CoupledSolution x = solve_coupled({friction, 100, row.heating}, {row.formulation, 1e-9},
                                             {Quantity::stick_slip_border, -0.1845});
     SCOPED_TRACE(::testing::Message() << name_of(row.formulation) << ", H = " << row.heating);
     EXPECT_TRUE(close(x.value(Quantity::traction), row.traction, row.unit + 1e-9));
@@ -781,7 +781,8 @@ TEST(Coupled, FindsTheTractionOfAGivenCreep) {
       for (const Quantity given : {Quantity::creep, Quantity::stick_slip_border}) {
         SCOPED_TRACE(::testing::Message() << name_of(formulation) << ", Pe = " << scene.peclet
                                           << ", given quantity " << static_cast<int>(given));
-        const CoupledSolution y = solve_coupled(scene, formulation, 1e-8, {given, x.value(given)});
+        const CoupledSolution y =
+            solve_coupled(scene, {formulation, 1e-8}, {given, x.value(given)});
         // The given quantity is met exactly; its own error in x moves all the others by as much
         // again, times their derivative, which is below ten.
         EXPECT_TRUE(close(y.value(given), x.value(given), 4 * epsilon));
@@ -793,7 +794,7 @@ TEST(Coupled, FindsTheTractionOfAGivenCreep) {
   // Without heat it is Carter's creep curve.
   for (const double creep : {0.01, 0.1, 0.3})
     EXPECT_TRUE(close(
-        solve_coupled({friction, 10, 0}, Formulation::corrected, 1e-8, {Quantity::creep, creep})
+        solve_coupled({friction, 10, 0}, {Formulation::corrected, 1e-8}, {Quantity::creep, creep})
             .value(Quantity::traction),
         thermoroll::carter_creep_curve(friction, creep), 1e-13L));
 }
@@ -804,7 +805,7 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
   const auto refuses = [](const Driven& scene, double tolerance, const Prescribed& given,
                           const std::string& what) {
     try {
-      solve_coupled(scene, Formulation::corrected, tolerance, given);
+      solve_coupled(scene, {Formulation::corrected, tolerance}, given);
     } catch (const std::invalid_argument& refusal) {
       return std::string(refusal.what()).find(what) == 0
                  ? ::testing::AssertionSuccess()
@@ -834,7 +835,7 @@ TEST(Coupled, RefusesWhatItCannotSolve) {
   // Without end heating nothing is found. It is said in one line that names the solver.
   const auto unsolved = [](const Driven& scene, Formulation formulation, const Prescribed& given) {
     try {
-      const CoupledSolution x = solve_coupled(scene, formulation, 1e-4, given);
+      const CoupledSolution x = solve_coupled(scene, {formulation, 1e-4}, given);
       return ::testing::AssertionFailure() << "solved: " << x.value.transpose();
     } catch (const std::runtime_error& refusal) {
       const std::string line = refusal.what();
@@ -857,10 +858,10 @@ TEST(Coupled, StickEndsWhereAllSlips) {
     for (const double heating : {0.0, 0.1, 1.0}) {
       const Driven scene{friction, 0, 100, heating};
       const CoupledSolution nearly =
-          solve_coupled(scene, formulation, 1e-8, {Quantity::stick_slip_border, -1 + 1e-4});
+          solve_coupled(scene, {formulation, 1e-8}, {Quantity::stick_slip_border, -1 + 1e-4});
       const double most = nearly.value(Quantity::creep);
       const auto border = [&](double creep) {
-        return solve_coupled(scene, formulation, 1e-8, {Quantity::creep, creep})
+        return solve_coupled(scene, {formulation, 1e-8}, {Quantity::creep, creep})
             .value(Quantity::stick_slip_border);
       };
       EXPECT_LT(border((1 - 1e-3) * most), -0.99) << heating;
@@ -874,12 +875,12 @@ TEST(Coupled, StickEndsWhereAllSlips) {
 // strong a heat there is no contact in full slip, or it is not resolved.
 TEST(Coupled, StickEndsWhereAllSlipsInStrongHeat) {
   const Driven scene{1.5, 0, 300, 20};
-  const CoupledSolution nearly =
-      solve_coupled(scene, Formulation::corrected, 1e-4, {Quantity::stick_slip_border, -1 + 1e-4});
+  const CoupledSolution nearly = solve_coupled(scene, {Formulation::corrected, 1e-4},
+                                               {Quantity::stick_slip_border, -1 + 1e-4});
   const double most = nearly.value(Quantity::creep);
   for (const double creep : {1.1 * most, 0.2, 2 * scene.friction / thermoroll::pi}) {
     try {
-      solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::creep, creep});
+      solve_coupled(scene, {Formulation::corrected, 1e-6}, {Quantity::creep, creep});
       FAIL() << creep;
     } catch (const thermoroll::NotResolved& refusal) {
       for (const thermoroll::GridStep& step : refusal.trace) EXPECT_EQ(step.border, -1) << creep;
@@ -908,7 +909,7 @@ TEST(Coupled, FindsWhatCoarseGridsMiss) {
     const CoupledSolution x = solve(scene, formulation, 1e-3);
     EXPECT_TRUE(x.violations.empty()) << scene.peclet;
     const CoupledSolution again =
-        solve_coupled(scene, formulation, 1e-3,
+        solve_coupled(scene, {formulation, 1e-3},
                       {Quantity::stick_slip_border, x.value(Quantity::stick_slip_border)});
     EXPECT_TRUE(close(again.value(Quantity::traction), scene.traction, 2e-3L)) << scene.peclet;
   }
@@ -934,12 +935,12 @@ TEST(Coupled, LeavesTheWrongRootOfACoarseGrid) {
 // finer grids have none. Those are asked before the scene is said to be no contact.
 TEST(Coupled, ARippleOfCoarseGridsIsNoViolation) {
   const thermoroll::Scene driven{0.01591978624925062, 72121474.98818243, 29.312742128489027};
-  const CoupledSolution x = solve_coupled(driven, Formulation::corrected, 0.0039,
+  const CoupledSolution x = solve_coupled(driven, {Formulation::corrected, 0.0039},
                                           {Quantity::traction, 0.015919786249166484});
   EXPECT_TRUE(x.violations.empty()) << x.violations.front().what;
   thermoroll::Scene braking{0.2242823536788583, 34278148.88996661, 10.440881598130252};
   braking.direction = thermoroll::Direction::braking;
-  const CoupledSolution y = solve_coupled(braking, Formulation::printed, 0.0064,
+  const CoupledSolution y = solve_coupled(braking, {Formulation::printed, 0.0064},
                                           {Quantity::stick_slip_border, 0.3408070322068921});
   EXPECT_TRUE(y.violations.empty()) << y.violations.front().what;
 }
@@ -949,7 +950,7 @@ TEST(Coupled, AVerdictThatIsNotResolvedIsRefused) {
   thermoroll::Scene scene{0.056729898331024264, 76671672.42413932, 99.60937079850194};
   scene.direction = thermoroll::Direction::braking;
   try {
-    solve_coupled(scene, Formulation::printed, 2e-3,
+    solve_coupled(scene, {Formulation::printed, 2e-3},
                   {Quantity::stick_slip_border, -0.11134446891527161});
     FAIL() << "solved";
   } catch (const thermoroll::NotResolved& refusal) {

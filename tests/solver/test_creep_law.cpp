@@ -47,7 +47,7 @@ CreepLaw law_of(const Scene& scene, double tolerance = 1e-4, double reach = 4) {
 
 CoupledSolution solved(Scene scene, double creep, double tolerance) {
   scene.direction = creep < 0 ? Direction::braking : Direction::driving;
-  return thermoroll::solve_coupled(scene, Formulation::corrected, tolerance,
+  return thermoroll::solve_coupled(scene, {Formulation::corrected, tolerance},
                                    {Quantity::creep, std::abs(creep)});
 }
 

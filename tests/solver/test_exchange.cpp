@@ -220,7 +220,7 @@ TEST(Exchange, SolvedScenesAreIndependentReferences) {
   for (const Reference& x : references) {
     SCOPED_TRACE(x.name);
     const Solution found = solve(x.bodies.scene_with_bulk(), {Quantity::stick_slip_border, -0.1845},
-                                 {Method::coupled, Formulation::corrected, 200, 1e-9});
+                                 {Formulation::corrected, 1e-9, Method::coupled});
     const auto near = [&](Quantity q, double value) { EXPECT_NEAR(found.value(q), value, 1e-8); };
     near(Quantity::traction, x.traction);
     near(Quantity::creep, x.creep);
@@ -453,7 +453,7 @@ TEST(Exchange, WithoutSlipBothBranchesMeet) {
       Scene scene = x.bodies.scene_with_bulk();
       scene.direction = direction;
       const Prescribed given{Quantity::stick_slip_border, 1 - 1e-6};
-      const CoupledSolution next = solve_coupled(scene, Formulation::corrected, 1e-6, given);
+      const CoupledSolution next = solve_coupled(scene, {Formulation::corrected, 1e-6}, given);
       const double sign = sign_of(direction);
       EXPECT_NEAR(sign * next.value(Quantity::traction), rest.traction, 4e-6);
       EXPECT_NEAR(sign * next.value(Quantity::creep), rest.creep, 4e-6);
@@ -486,10 +486,10 @@ TEST(Exchange, JoinsFullSlip) {
   Scene warm{0.5, 30, 0.1, {1, 0.1}};
   warm.bulk_difference = 0.01;
   for (const Scene& scene : {Scene{0.5, 30, 0.4, {0.5, 0.6, 90}}, warm}) {
-    const CoupledSolution next = solve_coupled(scene, Formulation::corrected, 1e-7,
+    const CoupledSolution next = solve_coupled(scene, {Formulation::corrected, 1e-7},
                                                {Quantity::stick_slip_border, -1 + 1e-5});
     const CoupledSolution full =
-        solve_coupled(scene, Formulation::corrected, 1e-7,
+        solve_coupled(scene, {Formulation::corrected, 1e-7},
                       {Quantity::creep, 1.001 * next.value(Quantity::creep)});
     EXPECT_EQ(full.value(Quantity::stick_slip_border), -1);
     for (const Quantity q : {Quantity::traction, Quantity::load_ratio, Quantity::gamma0,
@@ -505,7 +505,7 @@ TEST(Exchange, JoinsFullSlip) {
 TEST(Exchange, JoinsTheClosedForm) {
   const Scene scene{0.6, 15.5, 1, {2, 0.7, 60}};
   const auto at_border = [&](double c0) {
-    return solve_coupled(scene, Formulation::corrected, 1e-9, {Quantity::stick_slip_border, c0});
+    return solve_coupled(scene, {Formulation::corrected, 1e-9}, {Quantity::stick_slip_border, c0});
   };
   const double border = 15 / 15.5 - 1;  // exp(-30) is left at the leading edge
   const CoupledSolution before = at_border(border - 1e-9), after = at_border(border + 1e-9);
@@ -530,8 +530,8 @@ TEST(Exchange, SolutionsAreWithinTheirErrors) {
     if (i % 2 == 0) x.bulk_difference = uniform(-0.1, 0.1) / std::sqrt(peclet);
     if (i % 3 == 0) x.direction = Direction::braking;
     const Prescribed border{Quantity::stick_slip_border, uniform(-0.95, 0.95)};
-    const CoupledSolution rough = solve_coupled(x, Formulation::corrected, 1e-4, border);
-    const CoupledSolution fine = solve_coupled(x, Formulation::corrected, 1e-6, border);
+    const CoupledSolution rough = solve_coupled(x, {Formulation::corrected, 1e-4}, border);
+    const CoupledSolution fine = solve_coupled(x, {Formulation::corrected, 1e-6}, border);
     for (int k = 0; k < compared; ++k)
       EXPECT_LE(std::abs(rough.value[k] - fine.value[k]), rough.error[k] + fine.error[k])
           << i << ": " << k;
@@ -558,7 +558,7 @@ TEST(Exchange, ProfilesHaveTheFluxIntoEitherBody) {
     const Scene scene = references[i].bodies.scene_with_bulk();
     SCOPED_TRACE(references[i].name);
     const Solution x = solve(scene, {Quantity::stick_slip_border, -0.1845},
-                             {Method::coupled, Formulation::corrected, 200, 1e-6});
+                             {Formulation::corrected, 1e-6, Method::coupled});
     const CoupledSolution& found = std::get<CoupledSolution>(x.found);
     const ArrayXd exchanged = exchanged_heat_flux(found, s);
     const HeatFlux heat = coupled_flux(found);
@@ -583,7 +583,7 @@ TEST(Exchange, HeatRunsAheadInTheMoreDiffusiveBody) {
     for (const double faster : {0.2, 5.0}) {
       const Scene scene{0.6, 5, 0, {ratio, 0, 5 * faster}};
       const CoupledSolution x =
-          solve_coupled(scene, Formulation::corrected, 1e-6, {Quantity::stick_slip_border, -0.2});
+          solve_coupled(scene, {Formulation::corrected, 1e-6}, {Quantity::stick_slip_border, -0.2});
       const ArrayXd into_1 = (faster < 1 ? 1 : -1) * exchanged_heat_flux(x, s);
       EXPECT_GT(into_1.minCoeff(), 0) << ratio << ", " << faster;
       EXPECT_EQ(into_1.maxCoeff(), into_1(8)) << ratio << ", " << faster;
@@ -594,7 +594,7 @@ TEST(Exchange, HeatRunsAheadInTheMoreDiffusiveBody) {
 // insulated cylinder has no flux to tell of.
 TEST(Exchange, AlikeBodiesShareTheFluxOfAProfile) {
   for (const Method method : {Method::closed_form, Method::first_order, Method::coupled}) {
-    const Approach approach{method, Formulation::corrected, 200, 1e-4};
+    const Approach approach{Formulation::corrected, 1e-4, method};
     const Profile along =
         profile(solve({0.6, 100, 0.01, {0.25, 0.01}}, {Quantity::traction, 0.4}, approach));
     EXPECT_GT(along.heat_flux.maxCoeff(), 0.1);
@@ -609,7 +609,7 @@ TEST(Exchange, AlikeBodiesShareTheFluxOfAProfile) {
 TEST(Exchange, TemperaturesAgree) {
   for (const Reference& x : references) {
     SCOPED_TRACE(x.name);
-    const Approach fine{Method::coupled, Formulation::corrected, 200, 1e-6};
+    const Approach fine{Formulation::corrected, 1e-6, Method::coupled};
     const Scene scene = x.bodies.scene_with_bulk();
     const Solution found = solve(scene, {Quantity::stick_slip_border, -0.1845}, fine);
     const double top = found.value(Quantity::max_temperature);

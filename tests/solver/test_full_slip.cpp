@@ -22,7 +22,7 @@ using thermoroll::Quantity;
 using thermoroll::Scene;
 
 CoupledSolution solve(const Scene& scene, Quantity given, double value, double tolerance = 1e-9) {
-  return thermoroll::solve_coupled(scene, Formulation::corrected, tolerance, {given, value});
+  return thermoroll::solve_coupled(scene, {Formulation::corrected, tolerance}, {given, value});
 }
 
 CoupledSolution slipping(const Scene& scene, double creep, double tolerance = 1e-9) {

@@ -50,7 +50,7 @@ Scene hot(double peclet, double heating, const FrictionLaw& law, const Roller& r
 }
 
 CoupledSolution solve(const Scene& scene, const Prescribed& given, double tolerance = 1e-9) {
-  return thermoroll::solve_coupled(scene, Formulation::corrected, tolerance, given);
+  return thermoroll::solve_coupled(scene, {Formulation::corrected, tolerance}, given);
 }
 CoupledSolution at_border(const Scene& scene, double c0, double tolerance = 1e-9) {
   return solve(scene, {Quantity::stick_slip_border, c0}, tolerance);

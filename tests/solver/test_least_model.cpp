@@ -46,7 +46,7 @@ double apart(const CoupledSolution& x, const CoupledSolution& y) {
 }
 
 CoupledSolution better(const Driven& scene, Formulation formulation, double tolerance) {
-  return thermoroll::solve_coupled(scene, formulation, tolerance,
+  return thermoroll::solve_coupled(scene, {formulation, tolerance},
                                    {Quantity::traction, scene.traction});
 }
 
@@ -121,8 +121,8 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
       const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
       for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
         SCOPED_TRACE(text(scene) + ", tolerance " + std::to_string(tolerance));
-        const CoupledSolution x = thermoroll::closed_form(scene, Formulation::corrected, tolerance,
-                                                          {Quantity::traction, scene.traction});
+        const CoupledSolution x = thermoroll::closed_form(
+            scene, {Formulation::corrected, tolerance}, {Quantity::traction, scene.traction});
         EXPECT_TRUE(close(x.value(Quantity::max_temperature) / peak.temperature.value, 1,
                           0.1 * tolerance + 2e-9));
         EXPECT_TRUE(close(x.value(Quantity::max_temperature_at), peak.at,
@@ -151,7 +151,7 @@ TEST(LeastModel, ClimbsFromAnywhere) {
   const double f = 0.054926506659698594, q = 4.062535721915226e-10;
   const Driven scene{f, q, 4302.672662329718, 0};
   const auto x =
-      thermoroll::closed_form(scene, Formulation::corrected, 1e-4, {Quantity::traction, q});
+      thermoroll::closed_form(scene, {Formulation::corrected, 1e-4}, {Quantity::traction, q});
   const auto peak =
       thermoroll::hottest_point(thermoroll::carter_flux(thermoroll::carter(f, q)), scene.peclet);
   EXPECT_TRUE(close(x.value(Quantity::max_temperature) / peak.temperature.value, 1, 1e-5));
@@ -165,8 +165,8 @@ TEST(LeastModel, TemperatureOfTheFirstOrder) {
       for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
         const Driven scene{0.6, 0.6 * share, peclet, 1e-12};
         const Prescribed given{Quantity::traction, scene.traction};
-        const auto exact = thermoroll::closed_form(scene, Formulation::corrected, 1e-11, given);
-        const auto x = thermoroll::first_order(scene, Formulation::corrected, tolerance, given);
+        const auto exact = thermoroll::closed_form(scene, {Formulation::corrected, 1e-11}, given);
+        const auto x = thermoroll::first_order(scene, {Formulation::corrected, tolerance}, given);
         EXPECT_TRUE(
             close(x.value(Quantity::max_temperature) / exact.value(Quantity::max_temperature), 1,
                   0.1 * tolerance + 1e-9))
@@ -183,7 +183,7 @@ TEST(LeastModel, FirstOrderAtTheEndsOfTheRange) {
         const Prescribed given{Quantity::traction, scene.traction};
         scene.heating =
             3e-3 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
-        const auto x = thermoroll::first_order(scene, formulation, 1e-6, given);
+        const auto x = thermoroll::first_order(scene, {formulation, 1e-6}, given);
         const CoupledSolution exact = better(scene, formulation, 1e-8);
         const Results off = (x.value - exact.value).abs() / (x.error + exact.error);
         EXPECT_LE(off.head(thermoroll::compared).maxCoeff(), 1) << text(scene);
@@ -198,7 +198,7 @@ TEST(LeastModel, FirstOrderIsOfSecondOrder) {
       double error[2];
       for (const bool less : {false, true}) {
         const Driven scene{0.6, 0.4, peclet, less ? 0.01 : 0.1};
-        const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-10,
+        const CoupledSolution x = thermoroll::first_order(scene, {formulation, 1e-10},
                                                           {Quantity::traction, scene.traction});
         error[less] = apart(x, better(scene, formulation, 1e-10));
       }
@@ -213,11 +213,11 @@ TEST(LeastModel, WithoutHeatAllRungsAgree) {
     const Driven scene{0.6, 0.6 * share, 100, 0};
     const Prescribed given{Quantity::traction, scene.traction};
     const CoupledSolution exact = better(scene, Formulation::corrected, 1e-9);
-    EXPECT_LT(apart(thermoroll::closed_form(scene, Formulation::corrected, 1e-9, given), exact),
+    EXPECT_LT(apart(thermoroll::closed_form(scene, {Formulation::corrected, 1e-9}, given), exact),
               1e-9);
-    EXPECT_LT(apart(thermoroll::first_order(scene, Formulation::corrected, 1e-9, given), exact),
+    EXPECT_LT(apart(thermoroll::first_order(scene, {Formulation::corrected, 1e-9}, given), exact),
               1e-9);
-    EXPECT_EQ(thermoroll::least_model(scene, Formulation::corrected, 1e-9, given).model,
+    EXPECT_EQ(thermoroll::least_model(scene, {Formulation::corrected, 1e-9}, given).model,
               Model::closed_form);
   }
 }
@@ -243,10 +243,10 @@ TEST(LeastModel, WithoutHeatErrorsCoverTheClosedForm) {
         const Driven scene{f, f / 2, 3, 0};
         for (const double tolerance : {1e-3, 1e-6}) {
           const CoupledSolution solutions[] = {
-              thermoroll::closed_form(scene, Formulation::corrected, tolerance, given),
-              thermoroll::first_order(scene, Formulation::corrected, tolerance, given),
-              thermoroll::solve_coupled(scene, Formulation::corrected, tolerance, given),
-              thermoroll::least_model(scene, Formulation::corrected, tolerance, given).solution};
+              thermoroll::closed_form(scene, {Formulation::corrected, tolerance}, given),
+              thermoroll::first_order(scene, {Formulation::corrected, tolerance}, given),
+              thermoroll::solve_coupled(scene, {Formulation::corrected, tolerance}, given),
+              thermoroll::least_model(scene, {Formulation::corrected, tolerance}, given).solution};
           for (int k = 0; k < 4; ++k)
             for (int i = 0; i + 1 < thermoroll::compared; ++i)
               EXPECT_TRUE(close(solutions[k].value[i], closed[i], solutions[k].error[i] + own[i]))
@@ -265,8 +265,8 @@ TEST(LeastModel, FirstOrderErrorIsHonest) {
     const Driven scene = scenes.next();
     const Formulation formulation = both[i % 2];
     const Prescribed given{Quantity::traction, scene.traction};
-    const CoupledSolution rungs[] = {thermoroll::closed_form(scene, formulation, 1e-7, given),
-                                     thermoroll::first_order(scene, formulation, 1e-7, given)};
+    const CoupledSolution rungs[] = {thermoroll::closed_form(scene, {formulation, 1e-7}, given),
+                                     thermoroll::first_order(scene, {formulation, 1e-7}, given)};
     if (thermoroll::largest_error(rungs[1]) > 0.1) continue;
     const CoupledSolution exact = better(scene, formulation, 1e-8);
     for (const int k : {0, 1}) {
@@ -294,7 +294,7 @@ TEST(LeastModel, ClosedFormErrorCoversTheFluxInTheMean) {
         const double q = thermoroll::carter_values(c)(Quantity::traction), slip = 1 - border;
         const Driven scene{0.6, q, lambda / slip, 0.1};
         const CoupledSolution cold =
-            thermoroll::closed_form(scene, formulation, 1e-7, {Quantity::traction, q});
+            thermoroll::closed_form(scene, {formulation, 1e-7}, {Quantity::traction, q});
         const CoupledSolution hot = better(scene, formulation, 1e-8);
         const Eigen::ArrayXd weight = thermoroll::place_nodes({slip, 1 + border}, rule, rule).heat;
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
@@ -315,8 +315,8 @@ TEST(LeastModel, FirstOrderKnowsNoErrorWhereTheFluxAtANodeIsAnother) {
       for (const double heating : {1e-2, 1e-1, 0.3, 1.0}) {
         const Driven scene{0.6, 0.3, peclet, heating};
         const Prescribed given{Quantity::stick_slip_border, 0};
-        const CoupledSolution cold = thermoroll::closed_form(scene, formulation, 1e-7, given);
-        const CoupledSolution hot = thermoroll::first_order(scene, formulation, 1e-7, given);
+        const CoupledSolution cold = thermoroll::closed_form(scene, {formulation, 1e-7}, given);
+        const CoupledSolution hot = thermoroll::first_order(scene, {formulation, 1e-7}, given);
         const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(hot.unknowns);
         const Eigen::ArrayXd before = flux_at(rule, cold), after = flux_at(rule, hot);
         const double r = (after - before).abs().maxCoeff() / before.maxCoeff();
@@ -340,13 +340,14 @@ TEST(LeastModel, ErrorsCoverWhatIsLeftOut) {
     const SmallContact x = contacts.next();
     CoupledSolution exact;
     try {
-      exact = thermoroll::solve_coupled(x.scene, both[i % 2], 1e-9, x.given);
+      exact = thermoroll::solve_coupled(x.scene, {both[i % 2], 1e-9}, x.given);
     } catch (const std::exception&) {  // refused by name
       continue;
     }
     const Results scale = thermoroll::scale_of(exact.value);
-    const CoupledSolution rungs[] = {thermoroll::closed_form(x.scene, both[i % 2], 1e-9, x.given),
-                                     thermoroll::first_order(x.scene, both[i % 2], 1e-9, x.given)};
+    const CoupledSolution rungs[] = {
+        thermoroll::closed_form(x.scene, {both[i % 2], 1e-9}, x.given),
+        thermoroll::first_order(x.scene, {both[i % 2], 1e-9}, x.given)};
     for (const int k : {0, 1}) {
       const CoupledSolution& rung = rungs[k];
       const Results off = (rung.value - exact.value).abs() - exact.error;
@@ -379,8 +380,8 @@ TEST(LeastModel, ForecastsSeldomFail) {
   for (int i = 0; i < scenes; ++i) {
     const SmallContact x = contacts.next();
     const thermoroll::Carter c = thermoroll::carter_given(x.scene.friction, x.given);
-    const auto closed = thermoroll::closed_form(x.scene, both[i % 2], x.tolerance, x.given);
-    const auto first = thermoroll::first_order(x.scene, both[i % 2], x.tolerance, x.given);
+    const auto closed = thermoroll::closed_form(x.scene, {both[i % 2], x.tolerance}, x.given);
+    const auto first = thermoroll::first_order(x.scene, {both[i % 2], x.tolerance}, x.given);
     const double change = thermoroll::expected_change(x.scene, c);
     const double forecast[] = {change, thermoroll::expected_second_order(change)};
     const double error[] = {thermoroll::largest_error(closed), thermoroll::largest_error(first)};
@@ -399,7 +400,8 @@ TEST(LeastModel, ForecastsSeldomFail) {
 // times as far as gamma0, and the load ratio in between.
 TEST(LeastModel, EveryQuantityHasItsOwnError) {
   const Prescribed given{Quantity::traction, 0.5};
-  const auto x = thermoroll::first_order({0.6, 4360, 0.0175}, Formulation::corrected, 1e-6, given);
+  const auto x =
+      thermoroll::first_order({0.6, 4360, 0.0175}, {Formulation::corrected, 1e-6}, given);
   EXPECT_LT(x.error(Quantity::gamma0), 0.1 * x.error(Quantity::stick_slip_border));
   EXPECT_LT(x.error(Quantity::load_ratio), 0.3 * x.error(Quantity::stick_slip_border));
 }
@@ -415,8 +417,8 @@ TEST(LeastModel, FirstOrderIsResolvedEverywhere) {
         const Prescribed given{Quantity::traction, scene.traction};
         scene.heating =
             3e-5 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
-        const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-9, given);
-        const CoupledSolution cold = thermoroll::closed_form(scene, formulation, 1e-9, given);
+        const CoupledSolution x = thermoroll::first_order(scene, {formulation, 1e-9}, given);
+        const CoupledSolution cold = thermoroll::closed_form(scene, {formulation, 1e-9}, given);
         const CoupledSolution exact = better(scene, formulation, 1e-9);
         const double r = apart(cold, exact);
         EXPECT_LE(apart(x, exact), 2e-3 * r + 2 * r * r + 2e-9) << text(scene);
@@ -433,8 +435,8 @@ TEST(LeastModel, FirstOrderErrorCoversTheShortestSlipZones) {
         const thermoroll::Carter c = thermoroll::carter(f, f * share);
         Driven scene{f, f * share, lambda / (2 * c.slip_half_width), 1};
         scene.heating = 0.01 / thermoroll::expected_change(scene, c);
-        const CoupledSolution x =
-            thermoroll::first_order(scene, formulation, 1e-8, {Quantity::traction, scene.traction});
+        const CoupledSolution x = thermoroll::first_order(scene, {formulation, 1e-8},
+                                                          {Quantity::traction, scene.traction});
         const CoupledSolution exact = better(scene, formulation, 1e-9);
         const Results off = (x.value - exact.value).abs() / (x.error + exact.error);
         EXPECT_LE(off.head(thermoroll::compared).maxCoeff(), 1) << text(scene);
@@ -449,12 +451,12 @@ TEST(LeastModel, NoContactIsNotLeftToTheFirstOrder) {
     Driven scene{0.6, 0.6 * (1 - 1e-9), 1e9, 1};
     const Prescribed given{Quantity::traction, scene.traction};
     scene.heating = 1e-2 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
-    const CoupledSolution x = thermoroll::first_order(scene, formulation, 1e-7, given);
+    const CoupledSolution x = thermoroll::first_order(scene, {formulation, 1e-7}, given);
     ASSERT_EQ(x.violations.size(), 1u);
     EXPECT_LE(std::abs(x.violations[0].from - x.value(Quantity::stick_slip_border)), 1e-4);
     const double tolerance = 5e-3;
     ASSERT_LE(thermoroll::largest_error(x), tolerance) << "or its error alone rules it out";
-    const Choice choice = thermoroll::least_model(scene, formulation, tolerance, given);
+    const Choice choice = thermoroll::least_model(scene, {formulation, tolerance}, given);
     EXPECT_EQ(choice.model, Model::coupled);
     EXPECT_TRUE(choice.solution.violations.empty());
   }
@@ -468,8 +470,8 @@ TEST(LeastModel, KnowsNoErrorWhereHeatTakesTheStickZone) {
       const Driven scene{0.6, 0.3, peclet, 1e-4};
       const Prescribed given{Quantity::creep, 1.2 / thermoroll::pi * (1 - 1e-9)};
       for (const auto rung : {thermoroll::closed_form, thermoroll::first_order})
-        EXPECT_EQ(rung(scene, formulation, 1e-3, given).error(Quantity::load_ratio), infinity);
-      const Choice choice = thermoroll::least_model(scene, formulation, 1e-3, given);
+        EXPECT_EQ(rung(scene, {formulation, 1e-3}, given).error(Quantity::load_ratio), infinity);
+      const Choice choice = thermoroll::least_model(scene, {formulation, 1e-3}, given);
       EXPECT_EQ(choice.model, Model::coupled);
       EXPECT_EQ(choice.solution.value(Quantity::stick_slip_border), -1);
     }
@@ -481,11 +483,11 @@ TEST(LeastModel, EccentricityIsThatOfLoadAndGamma) {
   const Prescribed given{Quantity::traction, scene.traction};
   for (const auto solve :
        {thermoroll::closed_form, thermoroll::first_order, thermoroll::solve_coupled}) {
-    const CoupledSolution x = solve(scene, Formulation::corrected, 1e-4, given);
+    const CoupledSolution x = solve(scene, {Formulation::corrected, 1e-4}, given);
     const double kappa = x.value(Quantity::load_ratio), gamma0 = x.value(Quantity::gamma0);
     EXPECT_DOUBLE_EQ(x.value(Quantity::eccentricity), thermoroll::pi * gamma0 / (2 * kappa));
   }
-  EXPECT_NE(thermoroll::first_order(scene, Formulation::corrected, 1e-4, given)
+  EXPECT_NE(thermoroll::first_order(scene, {Formulation::corrected, 1e-4}, given)
                 .value(Quantity::load_ratio),
             1)
       << "else kappa would not count";
@@ -500,7 +502,7 @@ TEST(LeastModel, MeetsEveryTolerance) {
     const Formulation formulation = both[i % 2];
     const double tolerance = i % 3 == 0 ? 1e-2 : i % 3 == 1 ? 1e-3 : 1e-6;
     try {
-      const Choice x = thermoroll::least_model(scene, formulation, tolerance,
+      const Choice x = thermoroll::least_model(scene, {formulation, tolerance},
                                                {Quantity::traction, scene.traction});
       EXPECT_LE(thermoroll::largest_error(x.solution), tolerance) << text(scene);
       EXPECT_LE(apart(x.solution, better(scene, formulation, tolerance / 10)), 1.1 * tolerance)
@@ -529,7 +531,7 @@ TEST(LeastModel, EveryQuantityCountsInTheLargestDifference) {
 TEST(LeastModel, TakesTheRungsInTurn) {
   const Prescribed given{Quantity::traction, 0.5};
   const auto model = [&](double heating, double tolerance) {
-    return thermoroll::least_model({0.6, 4360, heating}, Formulation::corrected, tolerance, given)
+    return thermoroll::least_model({0.6, 4360, heating}, {Formulation::corrected, tolerance}, given)
         .model;
   };
   EXPECT_EQ(model(0.0175, 1e-2), Model::closed_form);
@@ -555,7 +557,7 @@ TEST(LeastModel, SlowContactsNeedNoHeat) {
   for (const double peclet : {1e-4, 1e-6, 1e-8})
     for (const double heating : {0.1, 1.0}) {
       const thermoroll::Scene scene{0.6, peclet, heating};
-      EXPECT_EQ(thermoroll::least_model(scene, Formulation::corrected, 1e-2, given).model,
+      EXPECT_EQ(thermoroll::least_model(scene, {Formulation::corrected, 1e-2}, given).model,
                 Model::closed_form)
           << peclet << ", " << heating;
     }
@@ -569,7 +571,7 @@ TEST(LeastModel, TakesCreepOrBorder) {
       const CoupledSolution exact = better(scene, Formulation::corrected, 1e-8);
       for (const auto quantity : {Quantity::creep, Quantity::stick_slip_border}) {
         const Prescribed given{quantity, exact.value(quantity)};
-        const Choice x = thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
+        const Choice x = thermoroll::least_model(scene, {Formulation::corrected, tolerance}, given);
         EXPECT_EQ(x.solution.value(quantity), given.value);
         EXPECT_LE(apart(x.solution, exact), 1.1 * tolerance)
             << heating << ", " << static_cast<int>(quantity);
@@ -580,11 +582,11 @@ TEST(LeastModel, TakesCreepOrBorder) {
 TEST(LeastModel, RefusesWhatItCannotSolve) {
   const Driven scene{0.6, 0.5, 100, 0.1};
   const auto solve = [&](double tolerance, const Prescribed& given) {
-    thermoroll::least_model(scene, Formulation::corrected, tolerance, given);
+    thermoroll::least_model(scene, {Formulation::corrected, tolerance}, given);
   };
   EXPECT_THROW(solve(1e-12, {Quantity::traction, 0.5}), std::invalid_argument);
   EXPECT_THROW(  // on the lowest rung as well
-      thermoroll::least_model({0.6, 100, 0}, Formulation::corrected, 9e-12,
+      thermoroll::least_model({0.6, 100, 0}, {Formulation::corrected, 9e-12},
                               {Quantity::traction, 0.5}),
       std::invalid_argument);
   EXPECT_THROW(solve(1e-3, {Quantity::traction, 0.6}), std::invalid_argument);
@@ -595,8 +597,9 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
     for (const Prescribed& given :
          {Prescribed{Quantity::max_temperature, 0.1}, Prescribed{Quantity::load_ratio, 0.1},
           Prescribed{Quantity::stick_slip_border, 2}, Prescribed{Quantity::creep, -0.1},
-          Prescribed{Quantity::creep, 0.5}, Prescribed{Quantity::traction, 0.6}})
-      EXPECT_THROW(rung(scene, Formulation::corrected, 1e-3, given), std::invalid_argument)
+          Prescribed{Quantity::creep, 0.5}, Prescribed{Quantity::traction, 0.6},
+          Prescribed{Quantity::traction, 0}, Prescribed{Quantity::traction, -0.1}})
+      EXPECT_THROW(rung(scene, {Formulation::corrected, 1e-3}, given), std::invalid_argument)
           << static_cast<int>(given.quantity) << ' ' << given.value;
 }
 
@@ -614,10 +617,14 @@ TEST(LeastModel, ErrorsCoverTheLastBitsOfTheTraction) {
   };
   for (const double heating : {1e-12, 1e-9}) {
     const Driven at{f, q, 100, heating}, near{f, less, 100, heating};
-    expect_covered(solve_coupled(at, Formulation::corrected, 1e-6, {Quantity::traction, q}),
-                   solve_coupled(near, Formulation::corrected, 1e-6, {Quantity::traction, less}));
     expect_covered(
-        least_model(at, Formulation::corrected, 3e-9, {Quantity::traction, q}).solution,
-        least_model(near, Formulation::corrected, 3e-9, {Quantity::traction, less}).solution);
+        thermoroll::solve_coupled(at, {Formulation::corrected, 1e-6}, {Quantity::traction, q}),
+        thermoroll::solve_coupled(near, {Formulation::corrected, 1e-6},
+                                  {Quantity::traction, less}));
+    expect_covered(
+        thermoroll::least_model(at, {Formulation::corrected, 3e-9}, {Quantity::traction, q})
+            .solution,
+        thermoroll::least_model(near, {Formulation::corrected, 3e-9}, {Quantity::traction, less})
+            .solution);
   }
 }

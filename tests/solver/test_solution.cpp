@@ -20,8 +20,8 @@ using enum thermoroll::Quantity;
 
 namespace {
 
-const Approach closed_form{Method::closed_form};
-const Approach scheme{Method::gauss_chebyshev, Formulation::printed};
+const Approach closed_form{.method = Method::closed_form};
+const Approach scheme{.formulation = Formulation::printed, .method = Method::gauss_chebyshev};
 
 /// Scenes with friction 0.05 to 2 and traction / friction down to 1e-6 from either end.
 std::vector<Driven> random_scenes(int count) {
@@ -75,7 +75,7 @@ const double ends[] = {1e-12, 1e-9, 1e-6, 1e-3, 0.5, 1 - 1e-3, 1 - 1e-6, 1 - 1e-
 /// b = sqrt(1 - Q*/f). The next term of the series is smaller by another 1e-4; a thousandth of the
 /// change covers it.
 FoundPeaks fine_peaks(const Driven& scene, Formulation formulation) {
-  const Approach tight{Method::coupled, formulation, 200, 1e-10};
+  const Approach tight{formulation, 1e-10, Method::coupled};
   Driven near = scene, nearer = scene;
   if (scene.traction < (1 - 1e-10) * scene.friction) return peaks(solve(scene, tight));
   near.traction = (1 - 4e-8) * scene.friction;
@@ -182,7 +182,8 @@ TEST(Solution, HalfWidthOfRadiusMeetsItsEquation) {
 TEST(Solution, NoHalfWidthWithoutALoadRatio) {
   const Driven scene{0.1, 0.03, 10, 1000};
   const PhysicalScene c = physical_scene(scene);
-  const Approach coarse{Method::gauss_chebyshev, Formulation::printed, 7};
+  const Approach coarse{
+      .formulation = Formulation::printed, .method = Method::gauss_chebyshev, .nodes = 7};
   ASSERT_LT(solve(scene, coarse).value(load_ratio), 0);
   const double unit = hertz_half_width(c.load, 1, c.shear_modulus, c.poisson);
   const double radius = std::pow(c.half_width / unit, 2);  // kappa is 1 in the first step
@@ -266,7 +267,7 @@ TEST(Solution, PeaksKeepTheirDigitsAtBothEnds) {
     for (const Method method : {Method::closed_form, Method::automatic, Method::coupled}) {
       const Driven scene{0.6, 0.6 * share, 4360, 0};
       const Peaks exact = exact_peaks(scene);
-      const FoundPeaks x = peaks(solve(scene, {method}));
+      const FoundPeaks x = peaks(solve(scene, {.method = method}));
       const double most = method == Method::closed_form ? 2e-15 : 1e-6;
       for (const auto peak : all_peaks) {
         EXPECT_NEAR(x.value.*peak, exact.*peak, *x.error.*peak) << share;
@@ -279,11 +280,11 @@ TEST(Solution, PeaksKeepTheirDigitsAtBothEnds) {
 // is in their errors. Its profile has the closed form's tractions, to rounding, as above.
 TEST(Solution, PeaksOfTheClosedFormThatWasChosen) {
   const Driven scene{0.6, 0.3, 100, 1e-4};
-  const Approach loose{Method::automatic, Formulation::printed, 200, 1e-2};
+  const Approach loose{Formulation::printed, 1e-2};
   const Solution x = solve(scene, loose);
   ASSERT_EQ(x.model, Model::closed_form);
-  const FoundPeaks chosen = peaks(x),
-                   fine = peaks(solve(scene, {Method::coupled, loose.formulation}));
+  const FoundPeaks chosen = peaks(x), fine = peaks(solve(scene, {.formulation = loose.formulation,
+                                                                 .method = Method::coupled}));
   const Peaks exact = peaks(solve(scene, closed_form)).value;
   for (const auto peak : all_peaks) {
     EXPECT_DOUBLE_EQ(chosen.value.*peak, exact.*peak);
@@ -325,13 +326,12 @@ TEST(Solution, PeakErrorsCountTheChangeOfTheGrid) {
   for (const Driven& scene :
        {Driven{1.01, 0.4226, 7.84e5, 3.298e-5}, Driven{0.696, 0.2467, 6.107e7, 1.168e-3},
         Driven{1.33, 0.4569, 8.209e5, 4.077e-4}, Driven{1.38, 0.5873, 3.135e7, 1.509e-6}}) {
-    const Solution x = solve(scene, {Method::coupled});
+    const Solution x = solve(scene, {.method = Method::coupled});
     const auto& found = std::get<CoupledSolution>(x.found);
     const auto on = [&](int n) { return largest(smooth_tractions(found, n), scene.friction); };
     const Peaks own = on(found.unknowns), finer = on(3 * found.unknowns / 2);
     const FoundPeaks peak = peaks(x);
-    const FoundPeaks fine =
-        peaks(solve(scene, {Method::coupled, Formulation::corrected, 200, 1e-9}));
+    const FoundPeaks fine = peaks(solve(scene, {Formulation::corrected, 1e-9, Method::coupled}));
     for (const auto which : all_peaks) {
       EXPECT_GE(*peak.error.*which, std::abs(finer.*which - own.*which)) << scene.peclet;
       EXPECT_NEAR(peak.value.*which, fine.value.*which, *peak.error.*which + *fine.error.*which);
@@ -346,7 +346,7 @@ TEST(Solution, AnotherGridHasItsOwnFlux) {
     const Driven scene{0.6, 0.3, 300, 1};
     const auto on_other = [&](double tolerance) {
       const Solution x =
-          solve(scene, {stick_slip_border, 0.2}, {Method::coupled, formulation, 200, tolerance});
+          solve(scene, {stick_slip_border, 0.2}, {formulation, tolerance, Method::coupled});
       return smooth_tractions(std::get<CoupledSolution>(x.found), 50);
     };
     const SmoothTractions loose = on_other(1e-2), tight = on_other(1e-8);
@@ -386,7 +386,7 @@ TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
   for (const Method method : {Method::coupled, Method::first_order})
     for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
       const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 1 : 0.1};
-      const Solution x = solve(scene, {method, Formulation::printed, 200, tolerance});
+      const Solution x = solve(scene, {Formulation::printed, tolerance, method});
       const auto& found = std::get<CoupledSolution>(x.found);
       int n = found.unknowns;
       finest = std::max(finest, n);
@@ -405,7 +405,7 @@ TEST(Solution, PeaksLieOnTheProfile) {
     for (const double traction : {0.05, 0.3, 0.5, 0.59})
       for (const double heating : {0.1, 3.0}) {
         const Solution x =
-            solve({0.6, traction, 300, heating}, {Method::coupled, formulation, 200, 1e-7});
+            solve({0.6, traction, 300, heating}, {formulation, 1e-7, Method::coupled});
         const double n = 0.75 * std::get<CoupledSolution>(x.found).unknowns;
         const double missed = 50 * std::pow(pi / (2 * n), 2);
         const Profile y = profile(x);
@@ -496,8 +496,8 @@ TEST(Solution, LeastFrictionIsThatOfTheProfile) {
 TEST(Solution, NothingSlipsWithoutTraction) {
   for (const Quantity what : {traction, creep})
     for (const Method method :
-         {Method::automatic, Method::closed_form, Method::first_order, Method::coupled}) {
-      const Solution x = solve({0.6, 100, 1}, {what, 0}, {method});
+         {Method::closed_form, Method::coupled, Method::automatic, Method::first_order}) {
+      const Solution x = solve({0.6, 100, 1}, {what, 0}, {.method = method});
       EXPECT_EQ((*x.error).abs().maxCoeff(), 0);
       EXPECT_EQ(x.value(stick_slip_border), 1);
       EXPECT_EQ(x.value(load_ratio), 1);
@@ -528,8 +528,7 @@ TEST(Solution, PeakErrorsCoverATighterSolution) {
         const Driven scene{0.6, 0.6 * share, peclet, heating};
         const FoundPeaks fine = fine_peaks(scene, formulation);
         for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-          const FoundPeaks x =
-              peaks(solve(scene, {Method::automatic, formulation, 200, tolerance}));
+          const FoundPeaks x = peaks(solve(scene, {formulation, tolerance}));
           for (const auto peak : all_peaks) {
             EXPECT_NEAR(x.value.*peak, fine.value.*peak, *x.error.*peak + *fine.error.*peak)
                 << share << ' ' << peclet << ' ' << tolerance;
@@ -557,8 +556,8 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
     const PhysicalScene c = physical_scene(drawn);
     const Scene groups = scene_of(c, friction);
     const Driven scene{friction, share * friction, groups.peclet, groups.heating};
-    const FoundInSi x = in_si_units(solve(scene, {Method::automatic, sign, 200, tolerance}), c);
-    const FoundInSi fine = in_si_units(solve(scene, {Method::coupled, sign, 200, 1e-9}), c);
+    const FoundInSi x = in_si_units(solve(scene, {sign, tolerance}), c);
+    const FoundInSi fine = in_si_units(solve(scene, {sign, 1e-9, Method::coupled}), c);
     for (const auto field : all_in_si) {
       const double most = *x.error.*field + *fine.error.*field + 1e-14 * fine.value.*field;
       const double off = std::abs(x.value.*field - fine.value.*field);
@@ -583,10 +582,10 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
       c.load = load;
       c.expansion *= 10;
       const Prescribed given{traction, 0.5};
-      const Approach tight{Method::coupled, formulation, 200, 1e-9};
+      const Approach tight{formulation, 1e-9, Method::coupled};
       const FoundInSi exact = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, tight), c);
       for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
-        const Approach loose{Method::automatic, formulation, 200, tolerance};
+        const Approach loose{formulation, tolerance};
         c.half_width = half_width_of_radius(c, exact.value.radius, 0.6, given, loose);
         const FoundInSi x = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, loose), c, true);
         const Solution same = solve(scene_of(c, 0.6), {traction, 0.5}, loose);
@@ -611,7 +610,7 @@ TEST(Solution, DissipationIsTheWorkOfTheCreepWithoutHeat) {
     PhysicalScene c = physical_scene(drawn);
     const auto off = [&](Method method) {
       const Prescribed given{traction, drawn.traction};
-      const Solution x = solve(scene_of(c, drawn.friction), given, {method});
+      const Solution x = solve(scene_of(c, drawn.friction), given, {.method = method});
       const FoundInSi y = in_si_units(x, c);
       const double work = y.value.creep_ratio * c.speed * drawn.traction * c.load;
       const double error = y.error->creep_ratio / y.value.creep_ratio +
@@ -667,7 +666,7 @@ TEST(Solution, PeaksOfTheCoupledSolutionAgreeWithoutHeat) {
   for (const double q : {0.1, 0.3, 0.5, 0.59}) {
     const Driven scene{0.6, q, 100, 0};
     const Peaks exact = peaks(solve(scene, closed_form)).value;
-    const Peaks x = peaks(solve(scene, {Method::coupled})).value;
+    const Peaks x = peaks(solve(scene, {.method = Method::coupled})).value;
     EXPECT_NEAR(x.pressure / exact.pressure, 1, 1e-12) << q;
     EXPECT_NEAR(x.traction / exact.traction, 1, 1e-12) << q;
     EXPECT_NEAR(x.heat_flux / exact.heat_flux, 1, 1e-12) << q;
@@ -689,7 +688,7 @@ TEST(Solution, TractionOfTheSchemeIsLargestAtTheBorder) {
 // The eccentricity pi gamma0 / (2 kappa) of all pairs within the errors of gamma0 and kappa is
 // within its error, which is that of the worst pair to first order.
 TEST(Solution, ErrorOfTheEccentricityIsThatOfItsParts) {
-  const Solution x = solve({0.6, 0.5, 10, 5}, {Method::coupled, Formulation::corrected, 200, 1e-2});
+  const Solution x = solve({0.6, 0.5, 10, 5}, {Formulation::corrected, 1e-2, Method::coupled});
   double furthest = 0;
   for (const double gamma0 : {-(*x.error)(gamma0), (*x.error)(gamma0)})
     for (const double kappa : {-(*x.error)(load_ratio), (*x.error)(load_ratio)}) {
@@ -710,7 +709,7 @@ TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
     const Driven scene{0.6, 0.5, peclet, 0.01};
     for (const double tolerance : {1e-4, 1e-8, 1e-11})
       for (const Method method : {Method::closed_form, Method::automatic}) {
-        const Solution x = solve(scene, {method, Formulation::corrected, 200, tolerance});
+        const Solution x = solve(scene, {Formulation::corrected, tolerance, method});
         const double of_flux = method == Method::closed_form ? 0 : (*x.error)(max_temperature);
         for (const double depth : {0.0, 0.01})
           for (const CurvePoint& point : temperature_curve(x, at, depth).points) {
@@ -726,7 +725,7 @@ TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
 // report.
 TEST(Solution, NoSolutionWithoutABoundOnItsError) {
   for (const double heating : {10.0, 1000.0}) try {
-      solve({0.6, 0.5, 100, heating}, {Method::first_order});
+      solve({0.6, 0.5, 100, heating}, {.method = Method::first_order});
       ADD_FAILURE() << "accepted: " << heating;
     } catch (const std::runtime_error& refusal) {
       EXPECT_STREQ(refusal.what(), "first-order: heat is too strong for one linear correction");

@@ -92,8 +92,9 @@ TEST(Surface, ManyPointsHaveTheErrorOfFew) {
 TEST(Surface, CoupledFluxAgreesWithAdaptiveQuadrature) {
   for (const double peclet : {1.0, 100.0, 4360.0})
     for (const double heating : {0.0175, 0.5}) {
-      const auto x = solve_coupled({0.6, peclet, heating}, thermoroll::Formulation::corrected, 1e-6,
-                                   {Quantity::traction, 0.5});
+      const auto x = thermoroll::solve_coupled({0.6, peclet, heating},
+                                               {thermoroll::Formulation::corrected, 1e-6},
+                                               {Quantity::traction, 0.5});
       const Eigen::ArrayXd s = places(x.value(Quantity::stick_slip_border));
       SurfaceCurve curve = surface_curve(smooth_flux(x), peclet, s, 1e-8);
       curve.error += x.error(Quantity::max_temperature);

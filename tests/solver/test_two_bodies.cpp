@@ -17,7 +17,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Approach coupled_to(double tolerance) {
-  return {Method::coupled, Formulation::corrected, 200, tolerance};
+  return {Formulation::corrected, tolerance, Method::coupled};
 }
 
 Scene braking(Scene scene) {
@@ -139,7 +139,7 @@ TEST(AlikeBodies, IdenticalBodiesHaveAnOddCurve) {
 TEST(AlikeBodies, SignsAreThoseOfTheDirection) {
   const Scene scene{0.6, 100, 1};
   for (const Method method : {Method::closed_form, Method::automatic}) {
-    const Solution x = solve(scene, {creep, -0.2}, {method});
+    const Solution x = solve(scene, {creep, -0.2}, {.method = method});
     EXPECT_EQ(x.scene.direction, Direction::braking);
     EXPECT_EQ(x.value(creep), -0.2);
     EXPECT_LT(x.value(traction), 0);
@@ -216,7 +216,7 @@ TEST(AlikeBodies, APoorConductorIsNoInsulator) {
 }
 
 TEST(AlikeBodies, ThePublishedSchemeIsForThePapersPair) {
-  const Approach scheme{Method::gauss_chebyshev};
+  const Approach scheme{.method = Method::gauss_chebyshev};
   EXPECT_NO_THROW(solve({0.6, 10, 0.1}, {traction, 0.3}, scheme));
   EXPECT_THROW(solve({0.6, 10, 0.1}, {traction, -0.3}, scheme), std::invalid_argument);
   EXPECT_THROW(solve(identical(0.6, 10, 0.1), {traction, 0.3}, scheme), std::invalid_argument);
@@ -235,8 +235,7 @@ TEST(AlikeBodies, LesserModelsKeepTheirErrors) {
     weak.roller.heating *= 1e-4;
     for (const double given : {pull, -pull})
       for (const Method method : {Method::automatic, Method::first_order}) {
-        const Solution x =
-            solve(weak, {traction, given}, {method, Formulation::corrected, 200, 1e-4});
+        const Solution x = solve(weak, {traction, given}, {Formulation::corrected, 1e-4, method});
         const Solution exact = solve(weak, {traction, given}, coupled_to(1e-9));
         lesser += x.model != Model::coupled;
         for (int i = 0; i < compared; ++i)

@@ -19,7 +19,7 @@ using enum thermoroll::Quantity;
 namespace {
 
 Approach coupled_to(double tolerance) {
-  return {Method::coupled, Formulation::corrected, 200, tolerance};
+  return {Formulation::corrected, tolerance, Method::coupled};
 }
 
 /// Pairs whose speeds differ by a thousandth to a thousandfold, either way.
@@ -184,7 +184,7 @@ TEST(UnlikeBodies, TheInsulatorIsTheLimitAtFixedHeatCapacity) {
 TEST(UnlikeBodies, LesserMethodsAreRefused) {
   const Scene scene{0.6, 100, 1, {2, 0.7, 20}};
   for (const Method method : {Method::closed_form, Method::first_order, Method::gauss_chebyshev})
-    EXPECT_THROW(solve(scene, {traction, 0.4}, {method, Formulation::corrected, 200, 1e-6}),
+    EXPECT_THROW(solve(scene, {traction, 0.4}, {Formulation::corrected, 1e-6, method}),
                  std::invalid_argument);
 }
 

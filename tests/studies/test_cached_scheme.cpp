@@ -79,7 +79,7 @@ TEST(CachedScheme, MeansConvergeAtAnySpeed) {
       SCOPED_TRACE(::testing::Message() << "Pe = " << peclet);
       const Driven scene{friction, 0.5, peclet, 0.1};
       const CoupledSolution exact =
-          thermoroll::solve_coupled(scene, formulation, 1e-9, {Quantity::traction, 0.5});
+          thermoroll::solve_coupled(scene, {formulation, 1e-9}, {Quantity::traction, 0.5});
       const auto largest = [&](std::initializer_list<int> nodes) {
         Eigen::Array3d errors = Eigen::Array3d::Zero();
         for (const int n : nodes) {

@@ -166,7 +166,7 @@ TEST(Resolution, FirstOrderIsWhatTheSchemeDoes) {
       const Driven scene{0.6, 0.5, peclet, 0.0175};
       const PublishedSolution x = solve_published(scene, Formulation::printed, {nodes});
       const CoupledSolution y =
-          thermoroll::solve_coupled(scene, Formulation::printed, 1e-8, {Quantity::traction, 0.5});
+          thermoroll::solve_coupled(scene, {Formulation::printed, 1e-8}, {Quantity::traction, 0.5});
       const double seen = (1 - x.load_ratio) / (1 - y.value(Quantity::load_ratio));
       const double first = thermoroll::scheme_load_change(c, peclet, nodes) /
                            thermoroll::exact_load_change(c, peclet);
@@ -205,7 +205,7 @@ TEST(Resolution, ANodeAtTheBorderCyclesForEver) {
 // second difference is of the second order, 1e-6, where the scheme's jump is 3e-4.
 TEST(Resolution, MovingNodesKnowNoJumps) {
   const auto traction = [](double c0) {
-    return thermoroll::solve_coupled({0.6, 100, 0.5}, Formulation::corrected, 1e-9,
+    return thermoroll::solve_coupled({0.6, 100, 0.5}, {Formulation::corrected, 1e-9},
                                      {Quantity::stick_slip_border, c0})
         .value(Quantity::traction);
   };
@@ -517,7 +517,7 @@ TEST(Admissibility, FollowsFromTheWayToTheSolution) {
   for (const double peclet : {0.1, 10.0, 1e4})
     for (const double heating : {0.1, 1.0, 10.0})
       for (const Formulation formulation : {Formulation::printed, Formulation::corrected})
-        EXPECT_TRUE(thermoroll::solve_coupled({0.6, peclet, heating}, formulation, 1e-3,
+        EXPECT_TRUE(thermoroll::solve_coupled({0.6, peclet, heating}, {formulation, 1e-3},
                                               {Quantity::traction, 0.5})
                         .violations.empty())
             << peclet << ' ' << heating;
@@ -530,7 +530,7 @@ TEST(Ends, FastAndSlowTemperature) {
   const thermoroll::HeatFlux flux = thermoroll::carter_flux(thermoroll::carter(0.6, 0.5));
   const double fast = thermoroll::hottest_when_fast(flux);
   const auto solver = [](double peclet) {
-    return thermoroll::solve_coupled({0.6, peclet, 0}, Formulation::corrected, 1e-9,
+    return thermoroll::solve_coupled({0.6, peclet, 0}, {Formulation::corrected, 1e-9},
                                      {Quantity::traction, 0.5})
         .value(Quantity::max_temperature);
   };
@@ -558,7 +558,7 @@ TEST(Ends, LittleTraction) {
           const double q = 0.6 * share;
           const Driven scene{0.6, q, peclet, heating};
           const CoupledSolution x =
-              thermoroll::solve_coupled(scene, formulation, 1e-9, {Quantity::traction, q});
+              thermoroll::solve_coupled(scene, {formulation, 1e-9}, {Quantity::traction, q});
           const double law = thermoroll::creep_of_little_traction(scene, q);
           const double change = std::abs(law / thermoroll::carter(0.6, q).creep - 1);
           const double next = 3 * share * change + 2e-9;
@@ -576,7 +576,7 @@ TEST(Ends, NearlyFullTraction) {
     for (const double peclet : {1.0, 100.0})
       for (const double left : {1e-2, 1e-4, 1e-6}) {
         const Driven scene{0.6, 0.6 * (1 - left), peclet, 0.3};
-        const CoupledSolution x = thermoroll::solve_coupled(scene, formulation, 1e-8,
+        const CoupledSolution x = thermoroll::solve_coupled(scene, {formulation, 1e-8},
                                                             {Quantity::traction, scene.traction});
         const thermoroll::Profile profile = thermoroll::profile(x);
         const double c0 = x.value(Quantity::stick_slip_border), b = (1 + c0) / 2;
@@ -600,8 +600,8 @@ TEST(Ends, EveryCornerIsSolvedOrRefused) {
                                               << ", H = " << heating << ", Q*/f = " << share);
             const double q = f * share, cold = thermoroll::carter(f, q).creep;
             try {
-              const CoupledSolution x = thermoroll::solve_coupled({f, peclet, heating}, formulation,
-                                                                  1e-3, {Quantity::traction, q});
+              const CoupledSolution x = thermoroll::solve_coupled(
+                  {f, peclet, heating}, {formulation, 1e-3}, {Quantity::traction, q});
               EXPECT_TRUE(x.value.allFinite() && x.error.allFinite());
               EXPECT_TRUE(x.violations.empty());
               if (f * heating > 2e-3) continue;

@@ -27,7 +27,7 @@ using thermoroll::Violation;
 // ends at no contact today, so the solution is one that is told to.
 TEST(FigureData, SolvesAreCountedByTheirOutcome) {
   const CoupledSolution contact = thermoroll::solve_coupled(
-      {0.6, 10, 0}, thermoroll::Formulation::corrected, 1e-2, {Quantity::traction, 0.5});
+      {0.6, 10, 0}, {thermoroll::Formulation::corrected, 1e-2}, {Quantity::traction, 0.5});
   ASSERT_TRUE(contact.violations.empty());
   EXPECT_EQ(outcome([&] { return contact; }), Outcome::contact);
 
@@ -80,7 +80,7 @@ TEST(ReferenceValues, HoldByEachPrescription) {
         number(3) < 0 ? thermoroll::Direction::braking : thermoroll::Direction::driving;
     const thermoroll::Solution x =
         solve(scene, {thermoroll::Quantity::creep, number(5)},
-              {thermoroll::Method::coupled, thermoroll::Formulation::corrected, 200, 1e-10});
+              {thermoroll::Formulation::corrected, 1e-10, thermoroll::Method::coupled});
     EXPECT_NEAR(x.value(thermoroll::Quantity::traction), number(3), 3.15 * 1.5e-10 + 1e-10);
     EXPECT_NEAR(x.value(thermoroll::Quantity::stick_slip_border), number(4), 1.6e-9);
     EXPECT_NEAR(x.value(thermoroll::Quantity::load_ratio), number(6), 1.6e-9);

@@ -30,7 +30,7 @@ constexpr double friction = 0.6, traction = 0.5;
 Eigen::Array3d largest_errors(const Scene& scene, Formulation formulation, double tolerance,
                               std::initializer_list<int> nodes) {
   const CoupledSolution exact =
-      thermoroll::solve_coupled(scene, formulation, tolerance, {Quantity::traction, traction});
+      thermoroll::solve_coupled(scene, {formulation, tolerance}, {Quantity::traction, traction});
   Eigen::Array3d largest = Eigen::Array3d::Zero();
   for (const int n : nodes) {
     const PanelSolution x = thermoroll::solve_on_panels(scene, traction, formulation, n);

@@ -255,7 +255,7 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   const Regime& steel = thermoroll::regimes[0];
   const Driven scene{0.6, 0.5, 4360, 0.0175};
   const auto sign = thermoroll::Formulation::corrected;
-  const auto coupled = thermoroll::solve_coupled(scene, sign, 1e-4, {Quantity::traction, 0.5});
+  const auto coupled = thermoroll::solve_coupled(scene, {sign, 1e-4}, {Quantity::traction, 0.5});
   const Found found = find(steel, "coupled/tol:1e-04/Pe:4360/H:0.0175");
   EXPECT_EQ(found.load_ratio, coupled.value(Quantity::load_ratio));
   EXPECT_EQ(found.hottest, coupled.value(Quantity::max_temperature));
@@ -276,7 +276,7 @@ TEST(Comparison, RunsAreWhatTheirNamesSay) {
   EXPECT_EQ(on_panels.hottest, panels.hottest);
   EXPECT_EQ(on_panels.creep, panels.creep);
 
-  const auto corrected = thermoroll::first_order(scene, sign, 1e-6, scene);
+  const auto corrected = thermoroll::first_order(scene, {sign, 1e-6}, scene);
   const Found once = find(steel, "first_order/Pe:4360/H:0.0175");
   EXPECT_EQ(once.load_ratio, corrected.value(Quantity::load_ratio));
   EXPECT_EQ(once.hottest, corrected.value(Quantity::max_temperature));

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "thermoroll/admissibility.hpp"
+#include "thermoroll/approach.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/scene.hpp"
@@ -148,13 +149,14 @@ void check(const Scene& scene, const Prescribed& given);
 /// whole contact slips at the given creep.
 Carter carter_given(double friction, const Prescribed& given);
 
-/// Solve the coupled problem for the given quantity until the estimated error of every quantity is
-/// below tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0,
+/// Solve the coupled problem for the given quantity, by the formulation and tolerance of the
+/// approach, whatever its method, until the estimated error of every quantity is below
+/// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0,
 /// relative for creep_constant, creep, heat_integral and max_temperature; that of
 /// max_temperature_at is the length of the slip zone times the root of it. A creep at which the
 /// whole contact slips has the border -1. Throws std::invalid_argument for data out of range,
 /// std::runtime_error if no solution is found, NotResolved if the tolerance is not met.
-CoupledSolution solve_coupled(const Scene& scene, Formulation formulation, double tolerance,
+CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
                               const Prescribed& given);
 
 /// The discrete problem h = sigma p-hat v-hat, p-hat = 2/pi + p h, v-hat = 2f/pi + v h, for the

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "thermoroll/approach.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/kernels.hpp"
@@ -15,18 +16,6 @@
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
-
-/// The least model that meets the tolerance; Carter's closed form without thermal deformation, its
-/// first order in H, the coupled solver; the published Gauss-Chebyshev scheme.
-enum class Method { automatic, closed_form, first_order, coupled, gauss_chebyshev };
-
-/// How a scene is to be solved.
-struct Approach {
-  Method method = Method::automatic;
-  Formulation formulation = Formulation::corrected;  ///< makes no difference to the closed form
-  int nodes = 200;                                   ///< of the scheme, 3 to 5000
-  double tolerance = 1e-6;                           ///< of all but the scheme, 1e-11 to 1e-2
-};
 
 /// The models that are solved to a tolerance, from the least on.
 enum class Model { closed_form, first_order, coupled };
