@@ -624,6 +624,8 @@ BulkDifference() {
   local corrected="$(value edge_log_coefficient)"
   "$program" solve "${unlike[@]}" --formulation printed >out 2>/dev/null || fail "$(cat out)"
   near "$(calculate "-1 * ($(value edge_log_coefficient))")" "$corrected" 1e-6
+  answers solve "${unlike[@]/#0.6/0.7}"  # in proportion to the friction
+  near "$(calculate "0.6 / 0.7 * ($(value edge_log_coefficient))")" "$corrected" 1e-6
   answers solve "${steel[@]}" --half-width 5.5e-3 --roller identical --bulk-temperature 20 \
     --bulk-temperature-2 120 --format json
   local unit=$(calculate "$(value max_temperature_celsius) / $(value max_temperature)")

@@ -436,6 +436,17 @@ std::vector<std::pair<Scene, Prescribed>> hot_scenes() {
   return scenes;
 }
 
+// At low speed the stick zone is warm beside the border as well, and the traction there is f phi p
+// less the bracket, with a peak at the border, beside which the outermost node lies.
+TEST(Solution, PeaksOfTheTractionKnowTheLawOnTheStickZone) {
+  Scene scene{0.6, 0.5, 0.5};
+  scene.law = exponential_friction({0.05, 0});
+  const Solution x = solve(scene, {stick_slip_border, 0.5});
+  const Profile y = profile(x);
+  EXPECT_NEAR(peaks(x).value.traction, y.traction.maxCoeff(), 0.01 * y.traction.maxCoeff());
+  EXPECT_LT(y.traction.maxCoeff(), 0.8 * scene.friction * 2 / pi);
+}
+
 // With a law of friction, too, no node is above the peak, and the highest is hardly below (as
 // above), for the traction is f phi p on the slip zone. The profile carries its loads: the sums of
 // p and q by the trapezoidal rule in arccos s of each zone, whose error is of the second order in
