@@ -136,8 +136,8 @@ sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
-data_files := $(patsubst %,build/data/%.csv,$(filter-out estimates,$(figures)) $(tables)) build/data/values.json
-study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
+data_files := $(patsubst %,build/data/%.csv,$(filter-out estimates sign,$(figures)) $(tables)) build/data/values.json
+study_files := build/data/estimates.csv build/data/sign.csv build/data/study.csv build/data/study-values.json
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 

@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <functional>
+#include <iomanip>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -82,6 +86,31 @@ TEST(HeatedHalfSpace, FollowsTheKernels) {
   }
 }
 
+// How far the surface has risen since x = -3: by the elements' displacements at every other node,
+// and by Simpson's rule over the slope of the kernel.
+struct Rise {
+  double x, elements, kernel;
+};
+
+std::vector<Rise> rises(double peclet) {
+  const fem::Mesh m = fem::mesh(step, reach);
+  const fem::VectorXd u =
+      fem::displacements(m, fem::thermal_load(m, fem::temperature(m, peclet, bump)));
+  const auto height = [&](int i) { return -m.inward() * u[2 * m.node(i, 0) + 1]; };
+  const auto slope = [&](double x) { return response::outward_slope(peclet, bump, x); };
+  std::vector<Rise> rows;
+  int first = 0;
+  while (m.x[first] < -3) ++first;
+  double kernel = 0;
+  for (int i = first; m.x[i] <= 3; i += 2) {
+    const double length = i > first ? m.x[i] - m.x[i - 2] : 0;
+    kernel +=
+        length / 6 * (slope(m.x[i] - length) + 4 * slope(m.x[i] - length / 2) + slope(m.x[i]));
+    rows.push_back({m.x[i], height(i) - height(first), kernel});
+  }
+  return rows;
+}
+
 // What is left between them is the mesh and the walls: half the step divides the temperature's
 // and the strain's difference by 8 in theory, here by 4 at least, because the mesh is not even
 // throughout; ten times the reach divides the slope's by 10 where the walls dominate, here by 5 at
@@ -137,4 +166,30 @@ TEST(HeatedContact, CentroidMovesTowardsTheHeat) {
   EXPECT_GT(first_order, 2 * largest * largest) << "otherwise the next lines prove nothing";
   EXPECT_NEAR(found, first_order, largest * largest) << "towards the heat";
   EXPECT_NEAR(printed, -first_order, largest * largest) << "away from it";
+}
+
+// The figure is drawn from kept rows, as the elements take seconds. They are today's, to their six
+// decimals and the rounding of a large mesh; today's are written here. A slope within the tolerance
+// makes a rise within six times that, the length.
+TEST(HeatedHalfSpace, FigureShowsTheElements) {
+  const std::vector<Rise> rows = rises(2);
+  std::ofstream now("sign.csv");
+  now << "x,elements,kernel,printed\n" << std::fixed << std::setprecision(6);
+  for (const Rise& row : rows)
+    now << row.x << ',' << row.elements << ',' << row.kernel << ',' << -row.kernel << '\n';
+  std::ifstream kept(THERMOROLL_ROOT "/figures/measured/study/sign.csv");
+  std::string line;
+  std::getline(kept, line);
+  EXPECT_EQ(line, "x,elements,kernel,printed");
+  for (const Rise& row : rows) {
+    EXPECT_NEAR(row.elements, row.kernel, 6 * tolerance * 0.65) << row.x;
+    std::getline(kept, line);
+    double x = 0, elements = 0, kernel = 0, printed = 0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &x, &elements, &kernel, &printed), 4);
+    EXPECT_NEAR(x, row.x, 2e-6);
+    EXPECT_NEAR(elements, row.elements, 2e-6) << row.x;
+    EXPECT_NEAR(kernel, row.kernel, 2e-6) << row.x;
+    EXPECT_EQ(printed, -kernel) << row.x;
+  }
+  EXPECT_FALSE(std::getline(kept, line)) << "more rows than there are";
 }

@@ -1,4 +1,4 @@
-// Tangled from paper/12-coupled-problem.md, paper/13-border-and-error.md, paper/14-temperatures-and-profiles.md; edit there.
+// Tangled from paper/12-coupled-problem.md, paper/13-border-and-error.md, paper/14-temperatures-and-profiles.md, paper/A-one-answer.md; edit there.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,23 @@
 #include <Eigen/Core>
 
 #include "thermoroll/admissibility.hpp"
-#include "thermoroll/approach.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
+
+/// The least model that meets the tolerance; Carter's closed form without thermal deformation, its
+/// first order in H, the coupled solver; the published Gauss-Chebyshev scheme.
+enum class Method { automatic, closed_form, first_order, coupled, gauss_chebyshev };
+
+/// How a scene is to be solved.
+struct Approach {
+  Formulation formulation = Formulation::corrected;  ///< makes no difference to the closed form
+  double tolerance = 1e-6;                           ///< of all but the scheme, 1e-11 to 1e-2
+  Method method = Method::automatic;                 ///< for solve(); others are one method
+  int nodes = 200;                                   ///< of the scheme, 3 to 5000
+};
 
 /// The results of a solved scene; dimensionless.
 enum class Quantity {

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "thermoroll/approach.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/kernels.hpp"
