@@ -34,7 +34,7 @@ enum class Quantity {
   slip_length,         ///< 1 - c0, to its own digits
   traction,            ///< Q*
   creep_constant,      ///< C of @eq:stick-conditions, xi* + f gamma0
-  creep,               ///< xi*, @eq:true-creep
+  creep,               ///< xi* = C - f gamma0
   load_ratio,          ///< kappa = P_H / P, @eq:kappa
   gamma0,              ///< gamma0 of @eq:pressure-conditions
   heat_integral,       ///< the integral of v* p*
