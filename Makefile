@@ -272,14 +272,16 @@ build/math.woff2: paper/math-characters.txt | build
 	@mv build/math.tmp.woff2 $@
 	@rm build/math.tmp.otf build/math.log
 
+# The revision and, if nothing was changed since, Software Heritage's identifier of its tree.
 revision = $(shell git describe --always --dirty 2>/dev/null)
+tree = $(if $(filter-out %-dirty,$(revision)),$(shell git rev-parse 'HEAD^{tree}'))
 weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
   --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(study_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) -o $@.tmp
+	@$(weave) $(as) --fail-if-warnings $(if $(revision),-M "revision=$(revision)$(if $(tree), (source tree swh:1:dir:$(tree)))") -o $@.tmp
 	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)

@@ -279,6 +279,7 @@ PrintIsShort() { # in the copy
   [ "$size" -lt 5000000 ] || fail "$size bytes"
   pages=$(grep -ac '/Type /Page$' build/paper.pdf)
   [ "$pages" -ge 10 ] && [ "$pages" -le 14 ] || fail "the short version has $pages pages"
+  grep -q '^@page { @top-center { content: "[A-Z].*"; ' build/paper.html || fail "no running head"
 }
 
 # readme LANGUAGE: the README's block of code in this language.

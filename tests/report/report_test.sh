@@ -189,6 +189,17 @@ ValuesStandAsWritten() {
   done <"$work/named"
 }
 
+# The identifier is git's hash of the tree of the revision, where this is a checkout that has it.
+TellsItsTree() {
+  local told revision tree
+  told=$(sed -n 's|.* Revision \(.*\)\.</p>$|\1|p' "$report")
+  [[ -n $told && $told != *-dirty ]] || return 0
+  [[ $told =~ ^([^ ]*)" (source tree swh:1:dir:"([0-9a-f]{40})")"$ ]] || fail "said: $told"
+  revision=${BASH_REMATCH[1]} tree=${BASH_REMATCH[2]}
+  ! git cat-file -e "$revision" 2>/dev/null || [ "$(git rev-parse "$revision^{tree}")" = "$tree" ] ||
+    fail "$tree is not the tree of $revision"
+}
+
 WovenTwiceAlike() { # the first time by make, which tells the revision
   local revision
   revision=$(sed -n 's|.* Revision \(.*\)\.</p>$|\1|p' "$report")
