@@ -66,8 +66,25 @@ std::string words_of(std::string message) {
   return words;
 }
 
+/// Whether friction and bulk temperature are constant and both bodies have one diffusivity, if both
+/// conduct.
+bool is_plain(const Scene& scene) {
+  return !scene.law && scene.bulk_difference == 0 && !is_unlike(scene);
+}
+
 CoupledSolution solve(const Sample& x, double given) {
   return solve_coupled(x.scene, {x.formulation, x.tolerance}, {x.given.quantity, given});
+}
+
+/// What a tolerance is relative to: with a bulk difference also what that alone makes of creep and
+/// temperature, which may cancel what the slip makes.
+Results scale_in(const Scene& scene, const Results& value) {
+  Results scale = scale_of(value);
+  const double bulk = std::abs(scene.bulk_difference);
+  for (const Quantity q : {creep_constant, creep})
+    scale(q) += scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet / pi) * bulk;
+  scale(max_temperature) += bulk;
+  return scale;
 }
 
 /// What is said of a solution must be numbers, keep the tolerance and fit together.
@@ -78,17 +95,20 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   for (const Quantity q : {stick_slip_border, traction, load_ratio, gamma0})
     record.within("errors keep the tolerance", e(q), x.tolerance);
   const bool contact = found.violations.empty();
+  const Results scale = scale_in(x.scene, v);
   for (const Quantity q : {creep_constant, creep, heat_integral, max_temperature})
     if (contact)  // without one they may be zero
-      record.within("errors keep the tolerance", e(q), x.tolerance * std::abs(v(q)) * (1 + 1e-12));
+      record.within("errors keep the tolerance", e(q), x.tolerance * scale(q) * (1 + 1e-12));
   const Quantity given = x.given.quantity;
   record.within("what is given comes out", v(given) - x.given.value, std::max(e(given), 1e-15));
   const bool slips = v(stick_slip_border) == -1;
   record.require("the border is in the contact, or a creep leaves no stick",
                  std::abs(v(stick_slip_border)) < 1 || (slips && given == creep));
-  record.require("full slip pulls with the friction", !slips || v(traction) == x.scene.friction);
+  record.require("full slip pulls with the friction",
+                 !slips || x.scene.law || v(traction) == x.scene.friction);
+  const bool warms = v(max_temperature) > 0 || x.scene.bulk_difference != 0;  // of the warmer bulk
   record.require("heat, temperature and load ratio are positive",
-                 !contact || (v(heat_integral) > 0 && v(max_temperature) > 0 && v(load_ratio) > 0));
+                 !contact || (v(heat_integral) > 0 && warms && v(load_ratio) > 0));
   // C = xi* + f gamma0; each is a sum of about a hundred terms of its own size or that of f kappa.
   const double f = x.scene.friction;
   record.within("the creep belongs to its constant", v(creep_constant) - v(creep) - f * v(gamma0),
@@ -99,7 +119,7 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   // An observation and no theorem: of the samples tried, none lost contact below these heatings.
   // Those beyond are asked whether "a finer solution is as much of a contact".
   const double strength = x.scene.friction * heating_of_both(x.scene);
-  if (strength <= (strain_share(x.scene) == 1 ? 10 : 0.5))
+  if (is_plain(x.scene) && strength <= (strain_share(x.scene) == 1 ? 10 : 0.5))
     record.require("a solution is a contact", contact);
   record.require("the work is bounded",
                  found.unknowns <= most_unknowns && found.newton_steps <= 100);
@@ -107,7 +127,7 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
 
 /// Without heat the solution is Carter's, but for a few roundings.
 void examine_without_heat(const Record& record, const Sample& x, const CoupledSolution& found) {
-  if (heating_of_both(x.scene) > 0) return;
+  if (heating_of_both(x.scene) > 0 || !is_plain(x.scene)) return;
   const Results closed = carter_values(carter_given(x.scene.friction, x.given));
   const Results scale = scale_of(closed);
   for (int i = 0; i + 1 < compared; ++i)
@@ -186,7 +206,8 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
   record.within("no error is ten times its estimate", excess, 10);
   record.compared(x.tolerance, excess);
   const auto& best = std::get<CoupledSolution>(exact.found);
-  const Results off = (coupled.value - best.value).abs(), scale = scale_of(best.value);
+  const Results off = (coupled.value - best.value).abs();
+  const Results scale = scale_in(x.scene, best.value);
   for (int i = 0; i < compared && coupled.violations.empty(); ++i)
     record.within("the tolerance is kept", off[i], x.tolerance * scale[i] + best.error[i]);
   // Heat that bends the profile more than the load does can leave no contact; what is said of that
@@ -382,7 +403,18 @@ static std::string text_of_pair(const Scene& scene) {
   if (roller.conductivity_ratio > 0)
     text += " --roller conducting --conductivity-ratio " + shortest(roller.conductivity_ratio) +
             " --heating-2 " + shortest(roller.heating);
+  if (roller.peclet > 0) text += " --peclet-2 " + shortest(roller.peclet);
+  if (scene.bulk_difference != 0) text += " --bulk-difference " + shortest(scene.bulk_difference);
   return text;
+}
+
+static std::string text_of_law(const Scene& scene) {
+  const auto* law = scene.law.target<LawOfFriction>();
+  if (law == nullptr) return "";
+  const char* const names[] = {"linear", "exponential", "rational", "piecewise-linear"};
+  return std::string(" --friction-law ") + names[static_cast<int>(law->kind)] +
+         " --friction-temperature " + shortest(law->of.scale) + " --friction-floor " +
+         shortest(law->of.floor);
 }
 
 std::string text(const Sample& x) {
@@ -395,7 +427,7 @@ std::string text(const Sample& x) {
          shortest(signed_given(x).value) + " --peclet " + shortest(x.scene.peclet) + " --heating " +
          shortest(x.scene.heating) + " --tolerance " + shortest(x.tolerance) +
          (x.formulation == Formulation::printed ? " --formulation printed" : "") +
-         text_of_pair(x.scene);
+         text_of_pair(x.scene) + text_of_law(x.scene);
 }
 
 /// Near both ends of (0, 1) log-uniform down to the least, in between uniform.
@@ -420,6 +452,28 @@ static Roller spread_roller(Random& random, double heating) {
   return {random.log_uniform(0.01, 100), heating * random.log_uniform(0.1, 10)};
 }
 
+/// Of sixteen scenes one has a law of friction, one two bodies of different diffusivities, and one
+/// bodies of different bulk temperatures; their scale is about that of the hottest point.
+static void extend(Random& random, std::uint64_t number, Sample& x) {
+  Scene& scene = x.scene;
+  const double warm = scene.friction / std::sqrt(1 + scene.peclet);
+  if (number % 16 == 5) {
+    const auto kind = static_cast<LawKind>(number / 16 % 4);
+    const bool rises = kind == LawKind::linear && random.one_of(4);
+    const double scale = (rises ? -1 : 1) * warm * random.log_uniform(0.02, 20);
+    const double most = kind == LawKind::piecewise_linear ? 1.5 : 0.9;
+    scene.law = LawOfFriction{kind, {scale, rises ? 0 : random.uniform(0, most)}};
+  }
+  if (number % 16 != 9 && number % 16 != 13) return;
+  if (scene.roller.conductivity_ratio == 0)
+    scene.roller = {random.log_uniform(0.1, 10), scene.heating};
+  if (number % 16 == 9) scene.roller.peclet = scene.peclet * random.log_uniform(0.1, 10);
+  if (number % 16 == 9) return;
+  scene.bulk_difference = (random.one_of(2) ? 1 : -1) * warm * random.log_uniform(1e-3, 1);
+  if (x.given.quantity != stick_slip_border)  // others have their sign from the state without slip
+    x.given = {stick_slip_border, random.uniform(-0.99, 0.99)};
+}
+
 Sample sample(std::uint64_t seed, std::uint64_t number) {
   Random random(seed, number);
   const bool corner = number % 4 == 3, wide = random.one_of(5);
@@ -433,7 +487,9 @@ Sample sample(std::uint64_t seed, std::uint64_t number) {
   const double tolerance = random.one_of(2) ? 1e-6 : random.log_uniform(1e-8, 1e-2);
   const Roller roller = spread_roller(random, heating);
   const auto direction = random.one_of(2) ? Direction::braking : Direction::driving;
-  return {{f, peclet, heating, roller, direction}, given, formulation, tolerance};
+  Sample x{{f, peclet, heating, roller, direction}, given, formulation, tolerance};
+  extend(random, number, x);
+  return x;
 }
 
 Record::Record(std::uint64_t number, const Sample& x, Totals& totals)
@@ -487,7 +543,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
       examine_again(record, x, found);
       if (x.scene.friction * heating_of_both(x.scene) <= 50) examine_error(record, x, found);
     }
-    if (depth < Depth::profiles) return;
+    if (depth < Depth::profiles || !is_plain(x.scene)) return;
     const Profile y = profile(found);
     const Tractions z = tractions_of(x, found, y);
     examine_profile(record, found, y, z);

@@ -26,7 +26,9 @@ std::string text(const Sample& x);
 /// tolerance 1e-6 or between 1e-8 and 1e-2; the fourth is from the corners: Pe 1e-3...1e8, H 0 or
 /// 1e-6...1e3, f 1e-3...2, and Q*/f down to 1e-12 from either end. In a third of all, the creep or
 /// the border of Carter's solution is given in place of the traction. A third of the cylinders each
-/// insulates, is the same body or conducts otherwise, and half of them brake.
+/// insulates, is the same body or conducts otherwise, and half of them brake. Of sixteen scenes one
+/// has a law of friction, one bodies of different diffusivities and one different bulk
+/// temperatures.
 Sample sample(std::uint64_t seed, std::uint64_t number);
 
 /// How far something may be from what it should be, and the scene in which it was so far.

@@ -50,7 +50,8 @@ TEST(Property, HoldsInRandomScenes) { hold_in(few); }
 
 // Other numbers are other scenes, in the ranges promised, and the same number is the same scene.
 TEST(Property, ScenesAreSpread) {
-  int corners = 0, by_creep = 0, by_border = 0, braking = 0, insulated = 0, identical = 0;
+  int corners = 0, by_creep = 0, by_border = 0, braking = 0, insulated = 0, identical = 0, laws = 0,
+      unlike = 0, bulk = 0;
   for (std::uint64_t number = 0; number < 4000; ++number) {
     const soak::Sample x = soak::sample(7, number);
     const double f = x.scene.friction, peclet = x.scene.peclet, heating = x.scene.heating;
@@ -62,6 +63,9 @@ TEST(Property, ScenesAreSpread) {
     by_creep += x.given.quantity == thermoroll::Quantity::creep;
     by_border += x.given.quantity == thermoroll::Quantity::stick_slip_border;
     braking += x.scene.direction == thermoroll::Direction::braking;
+    laws += static_cast<bool>(x.scene.law);
+    unlike += roller.peclet > 0;
+    bulk += x.scene.bulk_difference != 0;
     insulated += roller.conductivity_ratio == 0;
     identical += roller.conductivity_ratio == 1 && roller.heating == heating;
     EXPECT_TRUE(0 <= roller.conductivity_ratio && roller.conductivity_ratio <= 100 &&
@@ -75,9 +79,12 @@ TEST(Property, ScenesAreSpread) {
   }
   EXPECT_GT(corners, 30);
   EXPECT_GT(std::min(by_creep, by_border), 500);
-  EXPECT_NEAR(braking, 2000, 200);  // six standard deviations
-  EXPECT_NEAR(insulated, 4000 / 3, 200);
+  EXPECT_NEAR(braking, 2000, 200);                // six standard deviations
+  EXPECT_NEAR(insulated, 4000 * 7 / 8 / 3, 200);  // bodies of other diffusivities and bulks conduct
   EXPECT_NEAR(identical, 4000 / 3, 200);
+  EXPECT_EQ(laws, 250);
+  EXPECT_EQ(unlike, 250);
+  EXPECT_EQ(bulk, 250);
 }
 
 // What is beyond what is allowed, and a NaN, is a failure with its scene; the worst is kept, also
