@@ -137,12 +137,13 @@ figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
 data_files := $(patsubst %,build/data/%.csv,$(filter-out estimates sign,$(figures)) $(tables)) build/data/values.json
-study_files := build/data/estimates.csv build/data/sign.csv build/data/study.csv build/data/study-values.json
+study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
+kept_files := $(study_files) build/data/sign.csv
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) $(study_files) build/benches-built \
+steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) $(kept_files) build/benches-built \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -177,7 +178,7 @@ reproduce: build/data/claims.txt build/report.html build/paper.html
 	@echo "The report is build/report.html, its short version build/paper.html"
 
 ## data: compute every table
-data: $(data_files) $(study_files) $(timed_files)
+data: $(data_files) $(kept_files) $(timed_files)
 
 ## figures: draw every figure
 figures: $(figure_files)
@@ -228,6 +229,8 @@ $(data_files): build/thermoroll | build/data
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
 
 $(study_files): build/data/%: figures/measured/study/% | build/data
+build/data/sign.csv: figures/measured/sign.csv | build/data
+$(kept_files):
 	$(call step,copying $@)
 	@cp $< $@
 
@@ -279,7 +282,7 @@ weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --m
   --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(study_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(kept_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) $(as) --fail-if-warnings $(if $(revision),-M "revision=$(revision)$(if $(tree), (source tree swh:1:dir:$(tree)))") -o $@.tmp
 	@mv $@.tmp $@
@@ -410,7 +413,7 @@ sweep-bench: build/thermoroll
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
 
 ## golden: take today's data and figures as the golden ones of the tests, and the README's picture
-golden: $(data_files) $(study_files) $(filter-out $(drawn_from_times),$(figure_files))
+golden: $(data_files) $(kept_files) $(filter-out $(drawn_from_times),$(figure_files))
 	@bash tests/figures/update-golden.sh
 
 # --- The rest -------------------------------------------------------------------------------------

@@ -1196,8 +1196,10 @@ local function colophon(meta)
       drawn[1].drawer:gsub("GNUPLOT", "Gnuplot"):gsub(" patchlevel ", "."))
   end
   text = text .. "."
-  if meta.revision then text = text .. " Revision " .. utils.stringify(meta.revision) .. "." end
-  return pandoc.Para({ pandoc.Str(text) })
+  if not meta.revision then return pandoc.Para({ pandoc.Str(text) }) end
+  local revision, id, rest = utils.stringify(meta.revision):match("^(.-)(swh:[%w:]*)(.*)$")
+  if not id then return pandoc.Para({ pandoc.Str(text .. " Revision " .. utils.stringify(meta.revision) .. ".") }) end
+  return pandoc.Para({ pandoc.Str(text .. " Revision " .. revision), pandoc.Code(id), pandoc.Str(rest .. ".") })
 end
 
 --- Parts and chapters as a list of links; the sections of a chapter are folded below it. (The contents that

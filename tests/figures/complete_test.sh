@@ -32,7 +32,7 @@ complete() (
   [ "$used" = "$scripts" ] || missing "figures and scripts: $(echo "$used $scripts" | tr ' ' '\n' | sort | uniq -u)"
   while read -r name id; do
     [ -s "build/data/$name.csv" ] || missing "no data of $name"
-    [ -s "figures/golden/$name.csv" ] || [ -s "figures/measured/study/$name.csv" ] || missing "no golden data of $name"
+    [ -s "figures/golden/$name.csv" ] || [ -s "figures/measured/study/$name.csv" ] || [ -s "figures/measured/$name.csv" ] || missing "no golden data of $name"
     [ -s "build/figures/$name.svg" ] || missing "$name is not drawn"
     grep -qE "@${id%-[b-z]}(-a)?([^a-z-]|$)" paper/*.md || missing "$id is not referred to"  # -a stands for its panels
   done <<<"$figures"

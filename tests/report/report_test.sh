@@ -189,10 +189,12 @@ ValuesStandAsWritten() {
   done <"$work/named"
 }
 
+told_revision() { sed -n '/ Revision .*\.<\/p>$/ { s|<[^>]*>||g; s|.* Revision \(.*\)\.$|\1|p }' "$report"; }
+
 # The identifier is git's hash of the tree of the revision, where this is a checkout that has it.
 TellsItsTree() {
   local told revision tree
-  told=$(sed -n 's|.* Revision \(.*\)\.</p>$|\1|p' "$report")
+  told=$(told_revision)
   [[ -n $told && $told != *-dirty ]] || return 0
   [[ $told =~ ^([^ ]*)" (source tree swh:1:dir:"([0-9a-f]{40})")"$ ]] || fail "said: $told"
   revision=${BASH_REMATCH[1]} tree=${BASH_REMATCH[2]}
@@ -202,7 +204,7 @@ TellsItsTree() {
 
 WovenTwiceAlike() { # the first time by make, which tells the revision
   local revision
-  revision=$(sed -n 's|.* Revision \(.*\)\.</p>$|\1|p' "$report")
+  revision=$(told_revision)
   weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"}
   cmp "$work/again.html" "$report"
 }
