@@ -20,7 +20,8 @@ judge() {
 
 for name in $(same_whenever_drawn); do
   data=figures/golden/$name.csv
-  [ -s "$data" ] || data=$(ls figures/measured/$name.csv figures/measured/study/$name.csv 2>/dev/null)
+  [ -s "$data" ] || data=figures/measured/study/$name.csv
+  [ -s "$data" ] || data=figures/measured/$name.csv
   gnuplot -e "data='$data'; output='$work/$name.svg'" "figures/$name.gp"
 done
 

@@ -26,22 +26,21 @@ void hold_in(std::uint64_t scenes) {
     ADD_FAILURE() << "not so: " << property << ", with seed " << seed << " in scene " << scene;
   EXPECT_GT(totals.outcomes["solved"], static_cast<long>(scenes * 3 / 4));
   EXPECT_GE(totals.worst.size(), 20) << "not every property was looked at";
-  // Of as many estimates as are compared here, at most about one in a thousand is exceeded: with
-  // that probability of each, four of a thousand are exceeded once in 50 seeds.
+  // Of the estimates about one in a thousand is exceeded: with that probability, two of the about
+  // 125 that are compared here are exceeded once in 130 seeds.
   long compared = 0, beyond = 0;
   for (const auto& [decade, c] : totals.compared) {
     compared += c.scenes;
     beyond += c.beyond;
   }
-  EXPECT_LE(beyond, 3);
+  EXPECT_LE(beyond, 1);
   EXPECT_GT(compared, static_cast<long>(scenes / 3));
 }
 
 }  // namespace
 
 #ifdef NDEBUG
-constexpr std::uint64_t few = 100;
-TEST(Property, HoldsInAThousandRandomScenes) { hold_in(1000); }
+constexpr std::uint64_t few = 250;
 #else
 constexpr std::uint64_t few = 24;  // the sanitizers take their time
 #endif
