@@ -284,7 +284,7 @@ build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(kept_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@$(weave) $(as) --fail-if-warnings $(if $(revision),-M "revision=$(revision)$(if $(tree), (source tree swh:1:dir:$(tree)))") -o $@.tmp
+	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
 	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)

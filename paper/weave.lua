@@ -4,7 +4,7 @@
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
--- (all on one line; `-M revision=` may be left out). With `-M draft=paper/12-x.md` the page has this
+-- (all on one line; `-M revision=` and, for Software Heritage's identifier, `-M tree=` may be left out). With `-M draft=paper/12-x.md` the page has this
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
 -- figures/measured/*.csv, paper/style.css and build/math.woff2, the font of the formulas, and puts all
@@ -1196,10 +1196,10 @@ local function colophon(meta)
       drawn[1].drawer:gsub("GNUPLOT", "Gnuplot"):gsub(" patchlevel ", "."))
   end
   text = text .. "."
-  if not meta.revision then return pandoc.Para({ pandoc.Str(text) }) end
-  local revision, id, rest = utils.stringify(meta.revision):match("^(.-)(swh:[%w:]*)(.*)$")
-  if not id then return pandoc.Para({ pandoc.Str(text .. " Revision " .. utils.stringify(meta.revision) .. ".") }) end
-  return pandoc.Para({ pandoc.Str(text .. " Revision " .. revision), pandoc.Code(id), pandoc.Str(rest .. ".") })
+  local line = pandoc.Inlines({ pandoc.Str(text) })
+  if meta.revision then line:insert(pandoc.Str(" Revision " .. utils.stringify(meta.revision) .. ".")) end
+  if meta.tree then line:extend({ pandoc.Str(" Source tree "), pandoc.Code(utils.stringify(meta.tree)), pandoc.Str(".") }) end
+  return pandoc.Para(line)
 end
 
 --- Parts and chapters as a list of links; the sections of a chapter are folded below it. (The contents that

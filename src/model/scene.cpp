@@ -90,14 +90,14 @@ void check(const PhysicalScene& si) {
 
 double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }
 
-double heating_2(const Scene& scene) { return scene.roller.heating * peclet_ratio(scene); }
+double distortion_2(const Scene& scene) { return scene.roller.heating * peclet_ratio(scene); }
 
 double distortions_apart(const Scene& scene) {
-  return scene.peclet * (scene.heating - heating_2(scene));
+  return scene.peclet * (scene.heating - distortion_2(scene));
 }
 
 double heating_of_both(const Scene& scene) {
-  const double other = scene.roller.conductivity_ratio * heating_2(scene);
+  const double other = scene.roller.conductivity_ratio * distortion_2(scene);
   return heat_share(scene) * (scene.heating + other);
 }
 
@@ -109,7 +109,7 @@ bool same_bodies(const Scene& a, const Scene& b) {
 }
 
 double strain_share(const Scene& scene) {
-  const double own = scene.heating, other = scene.roller.conductivity_ratio * heating_2(scene);
+  const double own = scene.heating, other = scene.roller.conductivity_ratio * distortion_2(scene);
   return own + other > 0 ? sign_of(scene.direction) * (own - other) / (own + other) : 0;
 }
 

@@ -122,15 +122,6 @@ struct Refinement {
   double error = 1;
 };
 
-Results scale_in(const Scene& scene, const Results& value) {
-  Results scale = scale_of(value);
-  const double bulk = std::abs(scene.bulk_difference);
-  const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet / pi);
-  for (const Quantity q : {creep_constant, creep}) scale(q) += strain * bulk;
-  scale(max_temperature) += bulk;
-  return scale;
-}
-
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
@@ -227,6 +218,15 @@ Results carter_slope(const Carter& c, Quantity by) {
   const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
   const Results change = carter_values(moved) - carter_values(c);
   return change / change(by);
+}
+
+Results scale_in(const Scene& scene, const Results& value) {
+  Results scale = scale_of(value);
+  const double bulk = std::abs(scene.bulk_difference);
+  const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet / pi);
+  for (const Quantity q : {creep_constant, creep}) scale(q) += strain * bulk;
+  scale(max_temperature) += bulk;
+  return scale;
 }
 
 CoupledSolution refine(const Scene& scene, const Approach& approach, const Prescribed& given,

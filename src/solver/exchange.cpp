@@ -30,7 +30,7 @@ struct ExchangingPair {
 
 ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
   const double unit = scene.friction * scene.peclet;
-  const double d1 = unit * scene.heating, d2 = unit * heating_2(scene);
+  const double d1 = unit * scene.heating, d2 = unit * distortion_2(scene);
   const double outward = -slope_sign(formulation), along = sign_of(scene.direction) / pi;
   const double ratio = 1 / scene.roller.conductivity_ratio, share = heat_share(scene);
   return {scene.peclet, peclet_2(scene), ratio,      share,

@@ -189,23 +189,21 @@ ValuesStandAsWritten() {
   done <"$work/named"
 }
 
-told_revision() { sed -n '/ Revision .*\.<\/p>$/ { s|<[^>]*>||g; s|.* Revision \(.*\)\.$|\1|p }' "$report"; }
+# told WORD: what the colophon tells behind it.
+told() { sed -n 's|<[^>]*>||g; s|.*Woven by Pandoc.* '"$1"' \([^ ]*\)\..*|\1|p' "$report"; }
 
 # The identifier is git's hash of the tree of the revision, where this is a checkout that has it.
 TellsItsTree() {
-  local told revision tree
-  told=$(told_revision)
-  [[ -n $told && $told != *-dirty ]] || return 0
-  [[ $told =~ ^([^ ]*)" (source tree swh:1:dir:"([0-9a-f]{40})")"$ ]] || fail "said: $told"
-  revision=${BASH_REMATCH[1]} tree=${BASH_REMATCH[2]}
-  ! git cat-file -e "$revision" 2>/dev/null || [ "$(git rev-parse "$revision^{tree}")" = "$tree" ] ||
+  local revision=$(told Revision) tree=$(told 'Source tree')
+  [[ -n $revision && $revision != *-dirty ]] || { [ -z "$tree" ] || fail "$tree of changed sources"; return 0; }
+  [[ $tree =~ ^swh:1:dir:[0-9a-f]{40}$ ]] || fail "the tree is '$tree'"
+  ! git cat-file -e "$revision" 2>/dev/null || [ "swh:1:dir:$(git rev-parse "$revision^{tree}")" = "$tree" ] ||
     fail "$tree is not the tree of $revision"
 }
 
-WovenTwiceAlike() { # the first time by make, which tells the revision
-  local revision
-  revision=$(told_revision)
-  weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"}
+WovenTwiceAlike() { # the first time by make, which tells revision and tree
+  local revision=$(told Revision) tree=$(told 'Source tree')
+  weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"} ${tree:+-M "tree=$tree"}
   cmp "$work/again.html" "$report"
 }
 

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include "program/names.hpp"
 #include "solver/contact_grid.hpp"
 #include "solver/least_model.hpp"
 #include "support/number_text.hpp"
@@ -74,17 +75,6 @@ bool is_plain(const Scene& scene) {
 
 CoupledSolution solve(const Sample& x, double given) {
   return solve_coupled(x.scene, {x.formulation, x.tolerance}, {x.given.quantity, given});
-}
-
-/// What a tolerance is relative to: with a bulk difference also what that alone makes of creep and
-/// temperature, which may cancel what the slip makes.
-Results scale_in(const Scene& scene, const Results& value) {
-  Results scale = scale_of(value);
-  const double bulk = std::abs(scene.bulk_difference);
-  for (const Quantity q : {creep_constant, creep})
-    scale(q) += scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet / pi) * bulk;
-  scale(max_temperature) += bulk;
-  return scale;
 }
 
 /// What is said of a solution must be numbers, keep the tolerance and fit together.
@@ -411,8 +401,7 @@ static std::string text_of_pair(const Scene& scene) {
 static std::string text_of_law(const Scene& scene) {
   const auto* law = scene.law.target<LawOfFriction>();
   if (law == nullptr) return "";
-  const char* const names[] = {"linear", "exponential", "rational", "piecewise-linear"};
-  return std::string(" --friction-law ") + names[static_cast<int>(law->kind)] +
+  return " --friction-law " + name_of(law_names, std::optional(law->kind)) +
          " --friction-temperature " + shortest(law->of.scale) + " --friction-floor " +
          shortest(law->of.floor);
 }
@@ -452,23 +441,25 @@ static Roller spread_roller(Random& random, double heating) {
   return {random.log_uniform(0.01, 100), heating * random.log_uniform(0.1, 10)};
 }
 
+/// Laws of each kind in turn; a quarter of the linear ones rise.
+static LawOfFriction spread_law(Random& random, LawKind kind, double warm) {
+  const bool rises = kind == LawKind::linear && random.one_of(4);
+  const double scale = (rises ? -1 : 1) * warm * random.log_uniform(0.02, 20);
+  const double most = kind == LawKind::piecewise_linear ? 1.5 : 0.9;
+  return {kind, {scale, rises ? 0 : random.uniform(0, most)}};
+}
+
 /// Of sixteen scenes one has a law of friction, one two bodies of different diffusivities, and one
 /// bodies of different bulk temperatures; their scale is about that of the hottest point.
 static void extend(Random& random, std::uint64_t number, Sample& x) {
   Scene& scene = x.scene;
   const double warm = scene.friction / std::sqrt(1 + scene.peclet);
-  if (number % 16 == 5) {
-    const auto kind = static_cast<LawKind>(number / 16 % 4);
-    const bool rises = kind == LawKind::linear && random.one_of(4);
-    const double scale = (rises ? -1 : 1) * warm * random.log_uniform(0.02, 20);
-    const double most = kind == LawKind::piecewise_linear ? 1.5 : 0.9;
-    scene.law = LawOfFriction{kind, {scale, rises ? 0 : random.uniform(0, most)}};
-  }
-  if (number % 16 != 9 && number % 16 != 13) return;
-  if (scene.roller.conductivity_ratio == 0)
+  const bool unlike = number % 16 == 9, bulk = number % 16 == 13;
+  if (number % 16 == 5) scene.law = spread_law(random, static_cast<LawKind>(number / 16 % 4), warm);
+  if ((unlike || bulk) && scene.roller.conductivity_ratio == 0)
     scene.roller = {random.log_uniform(0.1, 10), scene.heating};
-  if (number % 16 == 9) scene.roller.peclet = scene.peclet * random.log_uniform(0.1, 10);
-  if (number % 16 == 9) return;
+  if (unlike) scene.roller.peclet = scene.peclet * random.log_uniform(0.1, 10);
+  if (!bulk) return;
   scene.bulk_difference = (random.one_of(2) ? 1 : -1) * warm * random.log_uniform(1e-3, 1);
   if (x.given.quantity != stick_slip_border)  // others have their sign from the state without slip
     x.given = {stick_slip_border, random.uniform(-0.99, 0.99)};

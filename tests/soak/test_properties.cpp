@@ -27,7 +27,7 @@ void hold_in(std::uint64_t scenes) {
   EXPECT_GT(totals.outcomes["solved"], static_cast<long>(scenes * 3 / 4));
   EXPECT_GE(totals.worst.size(), 20) << "not every property was looked at";
   // Of the estimates about one in a thousand is exceeded: with that probability, two of the about
-  // 125 that are compared here are exceeded once in 300 seeds.
+  // 80 that are compared here are exceeded once in 300 seeds.
   long compared = 0, beyond = 0;
   for (const auto& [decade, c] : totals.compared) {
     compared += c.scenes;

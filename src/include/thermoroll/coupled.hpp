@@ -141,6 +141,9 @@ void add_eccentricity(Results& value, Results& error);
 /// The scales of the tolerance: creep, heat and temperature themselves, one for the others.
 Results scale_of(const Results& v);
 
+/// The same in this scene: a bulk difference adds what it alone makes of creep and temperature.
+Results scale_in(const Scene& scene, const Results& value);
+
 /// The quantities without heat, except for the temperature.
 Results carter_values(const Carter& c);
 

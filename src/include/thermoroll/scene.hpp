@@ -40,8 +40,8 @@ double heat_share(const Scene& scene);
 /// The ratio H of the slopes of both bodies together, @eq:heating-of-both.
 double heating_of_both(const Scene& scene);
 
-/// H2 Pe2 / Pe1, the distortion D2 = Pe2 H2 of the cylinder per Pe of the half-space.
-double heating_2(const Scene& scene);
+/// D2 / Pe1 = H2 Pe2 / Pe1, the distortion of the cylinder in units of Pe of the half-space.
+double distortion_2(const Scene& scene);
 
 /// D1 - D2, where D = Pe H of each body.
 double distortions_apart(const Scene& scene);
