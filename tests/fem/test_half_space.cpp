@@ -86,8 +86,8 @@ TEST(HeatedHalfSpace, FollowsTheKernels) {
   }
 }
 
-// How far the surface has risen since x = -3: by the elements' displacements at every fourth node,
-// and by Simpson's rule over the slope of the kernel.
+// How far the surface has risen since the first node from x = -3 on: by the elements' displacements
+// at every fourth node, and by Simpson's rule over the slope of the kernel.
 struct Rise {
   double x, elements, kernel;
 };
