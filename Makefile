@@ -323,7 +323,7 @@ build/release/with-%: | build/release/Makefile
 ## check: the tests that find a mistake in an edit, within a minute once the rest is compiled
 check: build/built
 	@echo "Building the quick tests"
-	@$(compile) build/release --target unit-tests thermoroll-bench >build/check.log || { cat build/check.log; exit 1; }
+	@$(compile) build/release --target unit-tests thermoroll-bench thermoroll-study >build/check.log || { cat build/check.log; exit 1; }
 	@$(ctest) --preset check
 
 tested := build/data/claims.txt build/report.html build/paper.html

@@ -1601,7 +1601,7 @@ FigureData() {
   refuses 1 "other $words: it has other contents" figure-data speed --times other
 }
 
-ClaimsInThreeFormats() {
+ClaimsInThreeFormats() { # slow
   answers claims
   head -1 out | grep -q '^claim  *source  *paper  *published_scheme  *converged  *corrected  *verdict$' || fail "$(head -1 out)"
   local rows=$(($(wc -l <out) - 1))
