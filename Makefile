@@ -13,7 +13,8 @@ export LC_ALL := C.UTF-8
 build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nlohmann-json3-dev
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
-report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
+live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
+report_packages := $(figure_packages) $(live_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
 test_packages := $(report_packages) $(check_packages) libxml2-utils chromium parallel
 
@@ -58,6 +59,10 @@ command_of_libxml2-utils := xmllint
 command_of_chromium := chromium
 command_of_parallel := parallel
 command_of_clang := clang++
+command_of_lld := wasm-ld
+file_of_wasi-libc := /usr/include/wasm32-wasi/stdio.h
+file_of_libc++-dev-wasm32 := /usr/lib/wasm32-wasi/libc++.a
+file_of_libclang-rt-dev-wasm32 := $(firstword $(wildcard /usr/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a) none)
 command_of_valgrind := valgrind
 
 needs = $(if $(filter undefined,$(origin packages_for_$1)),$(packages_for_reproduce),$(packages_for_$1))
@@ -133,6 +138,8 @@ else
 
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
+live_sources := $(filter-out src/studies/% src/program/% src/bench/%,$(sources)) $(wildcard src/live/gsl/*.h)
+live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
@@ -142,8 +149,11 @@ kept_files := $(study_files) build/data/sign.csv
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
+# Without the compiler's target for WebAssembly the report has no solver in it.
+with_live := $(if $(shell echo 'int main() {}' | clang++ --target=wasm32-wasi --sysroot=/usr -x c++ - -o /dev/null 2>/dev/null && echo yes),build/live.html)
+
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built build/data/claims.txt $(data_files) $(kept_files) build/benches-built \
+steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(kept_files) build/benches-built \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -280,6 +290,20 @@ revision = $(shell git describe --always --dirty 2>/dev/null)
 tree = $(if $(filter-out %-dirty,$(revision)),$(shell git rev-parse 'HEAD^{tree}'))
 weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
   --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib --template paper/template.html
+# The solver for the page, and with its scripts, to stand at the page's end.
+build/live/solver.wasm: CMakeLists.txt CMakePresets.json $(live_sources)
+	$(call step,compiling the solver for the page)
+	@$(apart) cmake --preset live >build/live.log 2>&1 && $(compile) build/live >>build/live.log 2>&1 || { cat build/live.log; exit 1; }
+	@touch $@
+
+build/live.html: build/live/solver.wasm $(live_scripts)
+	@{ echo '<script type="application/octet-stream" id="solver">'; gzip -9nc $< | base64 -w0; echo '</script>'; \
+	  echo '<script>//<![CDATA['; cat $(live_scripts); echo 'live_page(engine);'; echo '//]]></script>'; } >$@.tmp
+	@mv $@.tmp $@
+$(live_sources) $(live_scripts): build/tangle.stamp ;
+
+build/report.html: as := $(addprefix -M live=yes --include-after-body=,$(with_live))
+build/report.html: $(with_live)
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(kept_files) $(timed_files) $(figure_files)

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "solver/contact_grid.hpp"
+#include "solver/curves.hpp"
 #include "solver/full_slip.hpp"
 #include "solver/grid_solution.hpp"
 #include "solver/least_model.hpp"
@@ -230,34 +231,6 @@ Peaks scheme_peaks(const PublishedSolution& x, double friction) {
     peak.heat_flux = std::max(peak.heat_flux, pressure * x.slip(k));
   }
   return peak;
-}
-
-/// Pressures and tractions on both zones, the heat flux on the slip zone.
-struct Curves {
-  Eigen::ArrayXd slip_pressure, stick_pressure, slip_traction, stick_traction, heat_flux;
-};
-
-/// The curves at -1 <= x <= 1, the variable of each zone.
-Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
-  const GaussLegendre places{x, 0 * x, (1 + x) / 2, {}, {}};
-  const Nodes z = place_nodes({by.slip, by.stick}, places, places);
-  const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
-  const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
-  const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
-  Curves y;
-  const Eigen::ArrayXd slip_root = (slip_right * (2 - slip_right)).sqrt();
-  const Eigen::ArrayXd stick_root = (left * right).sqrt();
-  y.slip_pressure = slip_root * (p * by.pressure).array();
-  y.stick_pressure = stick_root * (q * by.stick_pressure).array();
-  Eigen::ArrayXd slip_bound = y.slip_pressure, bound = y.stick_pressure;
-  if (by.bound.size() > 0) {
-    slip_bound = slip_root * (p * by.bound).array();
-    bound = stick_root * (q * by.stick_bound).array();
-  }
-  y.slip_traction = friction * slip_bound;
-  y.stick_traction = friction * bound - (left * z.d).sqrt() * (q * by.bracket).array();
-  y.heat_flux = by.slip * (z.t * (1 - z.t)).sqrt() * (p * by.h).array();
-  return y;
 }
 
 /// The largest value of a curve and where it is.

@@ -53,9 +53,10 @@ BuildsInFolderWithSpace() {
   make all build/thermoroll-bench >>"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
-  cp -r "$project/build/data" "$project/build/figures" build/
+  cp -r "$project/build/data" "$project/build/figures" "$project/build/live.html" build/
+  mkdir -p build/live && cp "$project/build/live/solver.wasm" build/live/
   touch "$work/now" # one time for all, that none is older than what it is made of
-  find build/data build/figures -type f -exec touch -r "$work/now" {} +
+  find build/data build/figures build/live build/live.html -type f -exec touch -r "$work/now" {} +
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'writing build/report.html' 'writing build/paper.html'
   [ -s build/report.html ] || fail "no report"
@@ -255,7 +256,7 @@ SetupWithoutRootOrSudo() {
   fake id <<<'echo 1000'
   hide sudo
   ! PATH="$fakes:$work/bin" make setup >"$work/log" 2>&1 || fail "worked without root"
-  grep -q 'not root.*apt-get install --no-install-recommends cmake' "$work/log" ||
+  grep -q 'not root.*apt-get install --no-install-recommends clang cmake' "$work/log" ||
     fail "said: $(cat "$work/log")"
   [ ! -e "$work/asked" ] || fail "apt-get ran"
 }

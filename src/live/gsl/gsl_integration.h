@@ -1,0 +1,25 @@
+// Tangled from paper/J-live-page.md; edit there.
+#pragma once
+
+#include <cstddef>
+
+#include "live/special_functions.hpp"
+
+struct gsl_integration_glfixed_table {
+  int n;
+};
+
+inline gsl_integration_glfixed_table* gsl_integration_glfixed_table_alloc(std::size_t n) {
+  return new gsl_integration_glfixed_table{static_cast<int>(n)};
+}
+
+inline int gsl_integration_glfixed_point(double, double, std::size_t i, double* x, double* w,
+                                         const gsl_integration_glfixed_table* table) {
+  *x = thermoroll::legendre_zero(table->n, static_cast<int>(i));
+  *w = 0;
+  return 0;
+}
+
+inline void gsl_integration_glfixed_table_free(gsl_integration_glfixed_table* table) {
+  delete table;
+}

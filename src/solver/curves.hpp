@@ -1,0 +1,20 @@
+// Tangled from paper/A-one-answer.md; edit there.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "thermoroll/coupled.hpp"
+
+namespace thermoroll {
+
+/// Positions, pressures, tractions and their bounds on both zones, and the heat flux on the slip
+/// zone, where the traction is its bound.
+struct Curves {
+  Eigen::ArrayXd slip_at, slip_pressure, slip_traction, heat_flux;
+  Eigen::ArrayXd stick_at, stick_pressure, stick_traction, stick_bound;
+};
+
+/// The curves at -1 <= x <= 1, the variable of each zone, at -1 of which is the border.
+Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction);
+
+}  // namespace thermoroll
