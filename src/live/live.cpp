@@ -118,7 +118,7 @@ void thermoroll_solve() {
 int thermoroll_contact() {
   const CoupledSolution& x = last.solution;
   const SmoothTractions by = smooth_tractions(x, x.unknowns);
-  const ArrayXd places = -ArrayXd::LinSpaced(points, 1e-4, pi - 1e-4).cos();
+  const ArrayXd places = -ArrayXd::LinSpaced(points, 0.01, pi - 0.01).cos();
   const Curves y = curves_at(places, by, x.scene.friction);
   double* to = curve;
   const auto row = [&](double s, double p, double bound, double q, double v) {

@@ -346,13 +346,13 @@ function live_page(engine) {
     const decimals = error > 0 ? Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(error)))) : 6;
     return x.toFixed(decimals).replace("-", "−");
   };
-  const brief = (x) => x > 0 ? `± ${x.toExponential(0).replace("-", "−")}` : "given";
+  const brief = (x, exactly = "exact") => x > 0 ? `± ${x.toExponential(0).replace("-", "−")}` : exactly;
 
   function table_of(answer, x, instance) {
     const sign = x.direction === "braking" ? -1 : 1;
     const rows = results.map(([name, i]) => {
       const value = answer.value[i] * (i === traction || i === creep ? sign : 1), error = answer.error[i];
-      return [name, written(value, error), brief(error)];
+      return [name, written(value, error), brief(error, i === question_of(x).quantity ? "given" : "exact")];
     });
     const unit = instance.degrees(x);
     if (unit !== 1) rows.push(["hottest, °C", written(answer.value[8] * unit, answer.error[8] * unit), brief(answer.error[8] * unit)]);
@@ -423,13 +423,13 @@ function live_page(engine) {
         story.textContent = `Refused: ${error.message}`;
         root.classList.add("refused");
       }
-      if (large) show_links(asked);
       later = setTimeout(slower, curve_of ? 250 : 0, asked, question);
     }
 
     async function slower(asked, question) {
       const creep_view = shown.find((view) => view.curve), time_view = shown.find((view) => view.times);
       const key = JSON.stringify({ ...question, quantity: 0, value: 0, tolerance: 0, method: 0 });
+      if (large) show_links(asked);
       try {
         if (creep_view && key !== curve_of) {
           creep_view.curve(await ask("creep", question, number));
@@ -456,7 +456,7 @@ function live_page(engine) {
       scene = { ...scene, ...some };
       if (scene.speed > 0 && wheel) Object.assign(scene, { peclet: wheel[0] * scene.speed, heating: wheel[1] });
       show_controls();
-      redraw();
+      return redraw();
     };
     me.move = (text) => me.change(scene_from(text));
     redraw();
