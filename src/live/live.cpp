@@ -176,7 +176,8 @@ int thermoroll_wheel() {
   const Scene scene = scene_of(wheel, 1);
   const Units units = units_of(wheel, 1);
   int n = 0;
-  for (const double x : {scene.peclet, scene.heating, units.temperature, units.traction})
+  const double hertz = 2 / pi * units.traction;
+  for (const double x : {scene.peclet, scene.heating, units.temperature, wheel.half_width, hertz})
     curve[n++] = x;
   return n;
 }

@@ -205,12 +205,12 @@ function live_page(engine) {
     for (let i = 0; i < list.length; i += count) rows.push(list.slice(i, i + count));
     return rows;
   };
-  const nice = (x) => 1.12 * x;
+  const nice = (x) => 1.18 * x;
   const at_border = (x) => Math.min(0.995, Math.max(-0.995, x));
 
   const views = {};
   views.contact = (instance) => {
-    const view = plot("Pressure and traction", "dotted: no heat; dashed: f p*");
+    const view = plot("Pressure and traction", "dotted: no heat");
     let to = scales([-1.05, 1.05], [0, 0.74]);
     const give = (c0) => instance.change({ given: "stick-slip-border", value: at_border(c0) });
     const put = handle(view, "border between stick and slip", (px) => give(to.back(px)),
@@ -252,7 +252,7 @@ function live_page(engine) {
       view.picture.innerHTML =
         `<rect class="slips" x="${to.x(value[border])}" y="${top}" width="${to.x(1) - to.x(value[border])}" height="${height - top - bottom}"/>` +
         axes(to, marks(-1, 3), marks(0, most), "s", unit === 1 ? "T*" : "°C") + path(to, rows, "line-t") +
-        dot(to, value[9], hottest, "hot") + say(to.x(value[9]) + 9, to.y(hottest) + 4, name, "name-t");
+        dot(to, value[9], hottest, "hot") + say(Math.min(to.x(value[9]) + 3, 250), to.y(hottest) - 7, name, "name-t");
       view.svg.setAttribute("aria-label", `Surface temperature, at most ${name} at ${value[9].toFixed(2)}`);
     };
     return view;
@@ -365,7 +365,8 @@ function live_page(engine) {
     const limit = Number.isFinite(answer.largest)
       ? ` The traction is at most ${answer.largest.toPrecision(4)}, at the creep ${answer.its_creep.toPrecision(3)}.` : "";
     const grid = answer.model === 2 ? `, ${answer.unknowns} unknowns` : "";
-    return `Model: ${models[answer.model]}${grid} (${answer.reason}).${full}${limit}${wrong}`;
+    const steel = x.speed > 0 && wheel ? ` The paper’s wheel: half-width ${1000 * wheel[3]} mm, Hertz’s pressure ${(wheel[4] / 1e6).toFixed(0)} MPa.` : "";
+    return `Model: ${models[answer.model]}${grid} (${answer.reason}).${full}${limit}${wrong}${steel}`;
   }
 
   function error_of(answer, all) {
@@ -377,7 +378,7 @@ function live_page(engine) {
       .replaceAll("e-", "e−");
   }
 
-  let wheel = null; // Pe, H, °C and Pa per unit at 1 m/s and f = 1
+  let wheel = null; // Pe, H and °C at 1 m/s and f = 1; half-width in m and largest pressure in Pa
 
   function instance_in(root, number) {
     const names = (root.dataset.views || "contact").split(" ");

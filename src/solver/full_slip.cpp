@@ -31,9 +31,11 @@ namespace {
     (contact ? low : high) = middle;
     if (contact) last = at;
   }
+  const int decimals = std::max(0, 6 - static_cast<int>(std::floor(std::log10(low))));
+  const double unit = std::pow(10, -decimals), limit = std::floor(low / unit) * unit;
   throw std::invalid_argument("creep = " + shortest(creep) +
                               " is not allowed: it must be below the creep_limit of about " +
-                              fixed(low, 4) + ", where contact is lost");
+                              fixed(limit, decimals) + ", where contact is lost");
 }
 
 }  // namespace

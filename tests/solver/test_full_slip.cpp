@@ -177,6 +177,18 @@ TEST(FullSlip, FastSlidingHasTheLoadOfDissimilarCylinders) {
   EXPECT_NEAR(found + (found - last) / (root - 1), exact, 1e-6);
 }
 
+// However little a creep is too large, the limit that the refusal names is smaller.
+TEST(FullSlip, LimitOfTheCreepIsBelowTheCreep) {
+  const Scene scene = sliding(100, 1e-2, far_beyond);
+  const double limit = creep_limit(scene, 1.3 * far_beyond);
+  ASSERT_GT(limit, far_beyond);
+  for (const double beyond : {1e-6, 1e-5, 1e-3}) {
+    const double creep = limit * (1 + beyond), named = creep_limit(scene, creep);
+    EXPECT_LT(named, creep) << beyond;
+    EXPECT_NEAR(named, limit, 3e-6 * limit) << beyond;  // two bisections to a millionth each
+  }
+}
+
 // Slow sliding with f H Pe w = 1: the load ratio 0.138858263385, of (-d^2/dx^2)^(1/2) p = p + 2/pi;
 // and contact is lost at the first eigenvalue of that operator, 1.1577738837 (Kulczycki, Kwasnicki,
 // Malecki, Stos, arXiv:0906.3113). Both are off by Pe times a factor that has its logarithm.
