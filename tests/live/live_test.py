@@ -43,7 +43,7 @@ def opened(browser, state="", address=None, **how):
 
 
 def drawn(browser):
-    browser.wait(f"!!{LARGE}.querySelector('.line-t')")
+    browser.wait(f"!!{LARGE}.querySelector('.line-t') && !!{LARGE}.querySelector('.live-links code')")
 
 
 def state(browser):
@@ -218,6 +218,7 @@ def LinksAndNonsense():
         assert browser.run("location.hash") == link
         opened(browser, "peclet=-1&friction=NaN&law=nonsense&value=1e999&x&=&digits=3.4&heating=%3Cb%3E")
         drawn(browser)
+        browser.wait(f"{LARGE}.textContent.includes('1e-3')")
         text = command(browser)
         assert text == ("thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175 "
                         "--tolerance 1e-3"), text
