@@ -14,9 +14,9 @@ build_packages := g++ cmake make pandoc libeigen3-dev libgsl-dev libcli11-dev nl
 data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
 live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
-report_packages := $(figure_packages) $(live_packages) fonts-lmodern libharfbuzz-bin woff2
+report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
-test_packages := $(report_packages) $(check_packages) libxml2-utils chromium parallel
+test_packages := $(report_packages) $(live_packages) $(check_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
@@ -25,6 +25,7 @@ packages_for_data := $(data_packages)
 packages_for_figures := $(figure_packages)
 packages_for_report := $(report_packages)
 packages_for_reproduce := $(report_packages)
+packages_for_live := $(report_packages) $(live_packages)
 packages_for_check := $(check_packages)
 packages_for_test := $(test_packages)
 packages_for_test-release := $(test_packages)
@@ -149,7 +150,7 @@ kept_files := $(study_files) build/data/sign.csv
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
-# Without the compiler's target for WebAssembly the report has no solver in it.
+# Without the compiler's target for WebAssembly, or its libraries, the report has no solver in it.
 with_live := $(if $(shell echo 'int main() {}' | clang++ --target=wasm32-wasi --sysroot=/usr -x c++ - -o /dev/null 2>/dev/null && echo yes),build/live.html)
 
 # A step is announced by its place among all steps and the seconds since the start.
@@ -175,7 +176,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all where data figures report draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench install clean help
+.PHONY: all where data figures report live draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -195,6 +196,9 @@ figures: $(figure_files)
 
 ## report: write build/report.html, and its short version without code, build/paper.html
 report: build/report.html build/paper.html
+
+## live: the report with the solver in it, which needs a compiler for WebAssembly
+live: build/live.html build/report.html
 
 ## verify: make the report once more in another folder, locale and time zone, and compare every byte
 verify:

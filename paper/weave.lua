@@ -16,6 +16,9 @@
 --                                                     is in the short version too; a sentence that leads to a
 --                                                     chunk, the chunk and its tests are not
 --   ::: {.report}, ::: {.paper-only}                  what is in the other one only
+--   ::: {.live views="..." scene="..." sliders="..."} a place of the solver in the page, with `-M live=yes`;
+--                                                     large="yes" for the one with everything
+--   ::: {.screen}                                     what leads to it, which is not printed
 --   $$ ... $$ {#eq:x paper=25 status=sign}            an equation; `paper` is its number in the paper, or
 --                                                     "13, 18–20"; `status` is sign, misprint, open or fails;
 --                                                     chunk="Its title" and tests="A.B, A.C" are its evidence
@@ -1271,6 +1274,15 @@ local function number_anew()
   drawn, card_rules, of_paper = {}, pandoc.List(), pandoc.List()
 end
 
+-- In a page without the solver its places are left out, but for a sentence in the large one.
+local function without_solver(div)
+  if div.attributes.large then
+    local how = "This page was made without the solver: "
+    return pandoc.Para({ pandoc.Str(how), pandoc.Code("make setup live"), pandoc.Str(" makes one with it.") })
+  end
+  if div.classes:includes("live") or div.classes:includes("screen") then return {} end
+end
+
 function Pandoc(document)
   for _, name in ipairs(PANDOC_STATE.input_files) do
     table.insert(chapters, { name = name, text = read(name) or "" })
@@ -1278,6 +1290,7 @@ function Pandoc(document)
   draft = document.meta.draft and utils.stringify(document.meta.draft)
   collect_chunks()
   -- First all that has a number, then all that refers to one.
+  if not document.meta.live then document.blocks = document.blocks:walk({ Div = without_solver }) end
   local numbering = { Header = number_heading, Para = paragraph, Table = written_table, Div = generated_table }
   local numbered = pandoc.Pandoc(whole(document.blocks)):walk(numbering).blocks
   if document.meta.paper then

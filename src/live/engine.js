@@ -21,8 +21,9 @@ function engine(post) {
     for (const { module, name } of WebAssembly.Module.imports(compiled))
       if (module !== "page") files[name] = () => 52;
     const imports = { page: { refuse }, wasi_snapshot_preview1: files };
-    solver = new WebAssembly.Instance(compiled, imports).exports;
-    solver._initialize();
+    const started = new WebAssembly.Instance(compiled, imports).exports;
+    started._initialize();
+    solver = started;
   }
 
   const names = ["friction", "peclet", "heating", "conductivity_ratio", "heating_2", "direction",
@@ -54,7 +55,7 @@ function engine(post) {
   function times(question) {
     const all = [];
     for (let digits = 2; digits <= 10; ++digits) {
-      const tolerance = 10 ** -digits;
+      const tolerance = Number(`1e-${digits}`);
       const found = with_solver({ ...question, tolerance }, () => {
         solver.thermoroll_solve();
         let count = 0, milliseconds = 0;
@@ -79,7 +80,8 @@ function engine(post) {
     draw: (question) => {
       const found = kinds.solve(question);
       if (question.tolerance < 1e-6) kinds.solve({ ...question, tolerance: 1e-6 });
-      return { ...found, contact: curve("thermoroll_contact"), temperature: curve("thermoroll_temperature") };
+      return with_solver(question, () => ({ ...found, contact: curve("thermoroll_contact"),
+        temperature: curve("thermoroll_temperature") }));
     },
     creep: (question) => with_solver(question, () => curve("thermoroll_creep_curve")),
     times,

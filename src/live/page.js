@@ -4,7 +4,7 @@ function live_page(engine) {
   "use strict";
 
   const longest = 5000; // milliseconds, then the worker is stopped and another one started
-  let send, stop, timer, flight = null;
+  let send, stop, timer, flight = null, generation = 0; // of the solver: a stopped one is not listened to
   const waiting = new Map(); // by asker and kind
 
   function next() {
@@ -13,12 +13,7 @@ function live_page(engine) {
     const [key, task] = first.value;
     waiting.delete(key);
     flight = task;
-    timer = setTimeout(() => {
-      const { failed } = flight;
-      stop();
-      begin_solver();
-      failed(new Error("this takes longer than five seconds"));
-    }, longest);
+    timer = setTimeout(give_up, longest, "this takes longer than five seconds");
     send(task.message);
   }
 
@@ -31,6 +26,14 @@ function live_page(engine) {
     next();
   }
 
+  function give_up(why) {
+    const { failed } = flight;
+    clearTimeout(timer);
+    stop();
+    begin_solver().catch(() => {});
+    failed(new Error(why));
+  }
+
   const ask = (kind, question, asker = "") => new Promise((done, failed) => {
     waiting.set(asker + kind, { message: { kind, question }, done, failed });
     next();
@@ -39,7 +42,8 @@ function live_page(engine) {
   const module_text = document.getElementById("solver").textContent.trim();
 
   function begin_in_page() {
-    const answer = engine((message) => setTimeout(settle, 0, message));
+    const mine = ++generation;
+    const answer = engine((message) => setTimeout(() => mine === generation && settle(message)));
     send = (message) => setTimeout(answer, 0, message);
     stop = () => {};
   }
@@ -49,8 +53,9 @@ function live_page(engine) {
       onmessage = ({ data }) => answer(data);`;
     try {
       const worker = new Worker(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
-      worker.onmessage = ({ data }) => settle(data);
-      worker.onerror = () => { begin_in_page(); send({ module: module_text }); };
+      const mine = ++generation;
+      worker.onmessage = ({ data }) => mine === generation && settle(data);
+      worker.onerror = () => { worker.terminate(); begin_in_page(); send({ module: module_text }); };
       send = (message) => worker.postMessage(message);
       stop = () => worker.terminate();
     } catch {
@@ -76,6 +81,7 @@ function live_page(engine) {
     value: [-1, 5], digits: [2, 10], speed: [0, 100] };
 
   const given_traction = (x) => x.value * x.friction;
+  const tolerance_of = (x) => Number(`1e-${x.digits}`); // 10 ** -4 is not the nearest number
 
   function question_of(x) {
     const same = x.roller === "identical";
@@ -84,7 +90,7 @@ function live_page(engine) {
       law: choices.law.indexOf(x.law) - 1, law_temperature: x.law_temperature, law_floor: 0,
       quantity: { traction, creep, "stick-slip-border": border }[x.given],
       value: x.given === "traction" ? given_traction(x) : x.value,
-      tolerance: 10 ** -x.digits, method: choices.method.indexOf(x.method) };
+      tolerance: tolerance_of(x), method: choices.method.indexOf(x.method) };
   }
 
   function command_of(x) {
@@ -109,8 +115,8 @@ function live_page(engine) {
     for (const part of text.split("&")) {
       const [key, value] = part.split("=");
       const number = Number(value);
-      if (key in choices && choices[key].includes(value)) x[key] = value;
-      else if (key in ranges && value && number >= ranges[key][0] && number <= ranges[key][1]) x[key] = number;
+      if (Object.hasOwn(choices, key) && choices[key].includes(value)) x[key] = value;
+      else if (Object.hasOwn(ranges, key) && value && number >= ranges[key][0] && number <= ranges[key][1]) x[key] = number;
     }
     x.digits = Math.round(x.digits);
     return x;
@@ -189,13 +195,15 @@ function live_page(engine) {
     });
     knob.addEventListener("keydown", (event) => {
       const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
-      if (!by) return;
+      if (!by || !knob.hasAttribute("aria-valuenow")) return; // nothing is drawn yet
       event.preventDefault();
       stepped((by / 50) * (event.shiftKey ? 0.2 : 1));
     });
-    return (x, y, now, words) => {
+    return (x, y, [least, now, most], words) => {
       knob.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
       knob.setAttribute("aria-valuenow", now);
+      knob.setAttribute("aria-valuemin", least);
+      knob.setAttribute("aria-valuemax", most);
       knob.setAttribute("aria-valuetext", words);
     };
   }
@@ -214,7 +222,7 @@ function live_page(engine) {
     let to = scales([-1.05, 1.05], [0, 0.74]);
     const give = (c0) => instance.change({ given: "stick-slip-border", value: at_border(c0) });
     const put = handle(view, "border between stick and slip", (px) => give(to.back(px)),
-      (by) => give(instance.answer.value[border] + 2 * by));
+      (by) => give(instance.now(border) + 2 * by));
     view.draw = ({ value, contact }, x) => {
       const rows = rows_of(contact, 5), c0 = value[border], cold = carter_of(x), sign = x.direction === "braking" ? -1 : 1;
       const across = Array.from({ length: 101 }, (_, i) => -Math.cos((Math.PI * i) / 100));
@@ -228,7 +236,7 @@ function live_page(engine) {
         path(to, column(2), "bound") + path(to, column(1), "line-p") + path(to, column(3), "line-q") +
         say(to.x(-0.62), to.y(0.56), "p*", "name-p") + say(Math.min(middle, 300), to.y(0.08), sign < 0 ? "q* < 0, slip" : "q*, slip", "name-q") +
         (c0 > -0.7 ? say(to.x((c0 - 1) / 2) - 12, to.y(0.03), "stick") : "");
-      put(to.x(c0), top + 4, c0.toFixed(3), `border at ${c0.toFixed(3)} half-widths`);
+      put(to.x(c0), top + 4, [-1, c0.toFixed(3), 1], `border at ${c0.toFixed(3)} half-widths`);
     };
     return view;
   };
@@ -261,8 +269,9 @@ function live_page(engine) {
   views.creep = (instance) => {
     const view = plot("Creep curve", "dotted: Carter");
     let to = scales([0, 1], [0, 1]), rows = [];
-    const give = (xi) => instance.change({ given: "creep", value: Math.max(1e-4, Math.min(xi, to.x1)) });
-    const put = handle(view, "creep", (px) => give(to.back(px)), (by) => give(instance.answer.value[creep] + by * to.x1));
+    const end = () => (rows.length ? rows[rows.length - 1][0] : to.x1);
+    const give = (xi) => instance.change({ given: "creep", value: Math.max(1e-4, Math.min(xi, end())) });
+    const put = handle(view, "creep", (px) => give(to.back(px)), (by) => give(instance.now(creep) + by * to.x1));
     view.curve = (list) => { rows = rows_of(list, 3); };
     view.draw = ({ value }, x) => {
       const last = rows.length ? rows[rows.length - 1][0] : value[creep], f = x.friction;
@@ -272,23 +281,24 @@ function live_page(engine) {
       view.picture.innerHTML = axes(to, marks(0, to.x1), marks(0, most), "creep ξ*", "traction Q*") +
         path(to, [...early, [to.x1, f]].filter(([xi]) => xi <= to.x1), "cold") +
         path(to, [[0, 0], ...rows.map((row) => row.slice(0, 2))], "line-c");
-      put(to.x(value[creep]), to.y(value[traction]), value[creep].toFixed(4), `creep ${value[creep].toFixed(4)}, traction ${value[traction].toFixed(4)}`);
+      put(to.x(value[creep]), to.y(value[traction]), [0, value[creep].toFixed(4), to.x1.toFixed(4)], `creep ${value[creep].toFixed(4)}, traction ${value[traction].toFixed(4)}`);
     };
     return view;
   };
 
   const models = ["closed form", "one linear correction", "coupled solver"];
   views.time = () => {
-    const view = plot("Time of a solve here", "by tolerance");
+    const view = plot("Time of a solve here",
+      '<i class="model-0">closed form</i>, <i class="model-1">one linear correction</i>, <i class="model-2">coupled</i>');
     const powers = [[-5, "10 µs"], [-4, "0.1 ms"], [-3, "1 ms"], [-2, "10 ms"], [-1, "0.1 s"], [0, "1 s"]];
     const to = scales([2, 10], [-5.3, 0]);
     view.times = (all, x) => {
-      const rows = all.map((t) => [-Math.log10(t.tolerance), Math.log10(t.microseconds) - 6]);
+      const rows = all.map((t) => [-Math.log10(t.tolerance), Math.min(0, Math.max(-5.3, Math.log10(t.microseconds) - 6))]);
       const labels = [2, 4, 6, 8, 10].map((d) => [d, `10<tspan dy="-4" font-size="8">−${d}</tspan>`]);
       view.picture.innerHTML = axes(to, labels, powers, "tolerance", "") + path(to, rows, "line-c") +
         rows.map(([d, y], i) => dot(to, d, y, `model-${all[i].model}${d === x.digits ? " now" : ""}`)).join("");
       view.svg.setAttribute("aria-label", "Time of a solve in this browser: " +
-        all.map((t) => `${t.microseconds.toPrecision(2)} microseconds to ${t.tolerance}`).join(", "));
+        all.map((t) => `${t.microseconds.toPrecision(2)} microseconds to ${t.tolerance} by the ${models[t.model]}`).join(", "));
     };
     view.draw = () => {};
     return view;
@@ -365,12 +375,13 @@ function live_page(engine) {
     const limit = Number.isFinite(answer.largest)
       ? ` The traction is at most ${answer.largest.toPrecision(4)}, at the creep ${answer.its_creep.toPrecision(3)}.` : "";
     const grid = answer.model === 2 ? `, ${answer.unknowns} unknowns` : "";
-    const steel = x.speed > 0 && wheel ? ` The paper’s wheel: half-width ${1000 * wheel[3]} mm, Hertz’s pressure ${(wheel[4] / 1e6).toFixed(0)} MPa.` : "";
+    const steel = x.speed > 0 && wheel ? ` The paper’s wheel: half-width ${(1000 * wheel[3]).toPrecision(3)} mm, Hertz’s pressure ${(wheel[4] / 1e6).toFixed(0)} MPa.` : "";
     return `Model: ${models[answer.model]}${grid} (${answer.reason}).${full}${limit}${wrong}${steel}`;
   }
 
-  function error_of(answer, all) {
+  function error_of(answer, all, x) {
     const best = all[all.length - 1], relative = [3, 4, 7, 8];
+    if (best.tolerance > 0.101 * tolerance_of(x)) return "";
     const off = (i, x) => x / (relative.includes(i) ? Math.abs(best.value[i]) || 1 : 1);
     const largest = (list) => Math.max(...[0, 2, 3, 4, 5, 6, 7, 8].map((i) => off(i, list(i))));
     const stated = largest((i) => answer.error[i]), made = largest((i) => Math.abs(answer.value[i] - best.value[i]));
@@ -382,8 +393,9 @@ function live_page(engine) {
 
   function instance_in(root, number) {
     const names = (root.dataset.views || "contact").split(" ");
-    const large = names.includes("time"), me = { answer: null };
+    const large = "large" in root.dataset, me = { answer: null };
     let scene = scene_from(root.dataset.scene || ""), later, curve_of = "";
+    me.now = (what) => ({ "stick-slip-border": border, creep }[scene.given] === what ? scene.value : me.answer.value[what]);
     me.degrees = (x) => (x.speed > 0 && wheel ? wheel[2] * x.speed * x.friction : 1);
     root.replaceChildren();
     const shown = names.map((name) => views[name](me));
@@ -417,6 +429,7 @@ function live_page(engine) {
         me.answer = await ask("draw", question, number);
         for (const view of shown) view.draw(me.answer, asked);
         story.textContent = story_of(me.answer, asked);
+        if (asked !== scene) return;
         table.firstChild.innerHTML = table_of(me.answer, asked, me);
         root.classList.remove("refused");
         show_controls();
@@ -424,6 +437,7 @@ function live_page(engine) {
         story.textContent = `Refused: ${error.message}`;
         root.classList.add("refused");
       }
+      if (asked !== scene) return;
       later = setTimeout(slower, curve_of ? 250 : 0, asked, question);
     }
 
@@ -435,25 +449,33 @@ function live_page(engine) {
         if (creep_view && key !== curve_of) {
           creep_view.curve(await ask("creep", question, number));
           curve_of = key;
-          if (me.answer) creep_view.draw(me.answer, asked);
+          if (asked !== scene) return;
+          creep_view.draw(me.answer, asked);
         }
         if (time_view && !root.classList.contains("refused")) {
           const all = await ask("times", question, number);
+          if (asked !== scene) return;
           time_view.times(all, asked);
-          made.textContent = error_of(me.answer, all);
+          made.textContent = asked.method === "auto" || asked.method === "coupled" ? error_of(me.answer, all, asked) : "";
         }
-      } catch { made.textContent = ""; }
+      } catch {
+        made.textContent = "";
+        if (creep_view && curve_of !== key) creep_view.curve([]);
+      }
     }
 
     function show_links(asked) {
-      const csv = me.answer ? "s,pressure,bound,traction,slip\n" + rows_of(me.answer.contact, 5).map((row) => row.join()).join("\n") +
+      const csv = me.answer && !root.classList.contains("refused") ? "s,pressure,bound,traction,slip\n" + rows_of(me.answer.contact, 5).map((row) => row.join()).join("\n") +
         "\n\ns,temperature\n" + rows_of(me.answer.temperature, 2).map((row) => row.join()).join("\n") + "\n" : "";
       const address = address_of(asked);
       links.innerHTML = `<code>${command_of(asked)}</code><br/><a href="${address}">Link to this scene</a> · ` +
         `<a download="contact.csv" href="data:text/csv,${encodeURIComponent(csv)}">Curves as CSV</a>`;
-      history.replaceState(null, "", asked === paper || address === "#live?" ? location.pathname : address);
+      try {
+        if (me.touched || location.hash.startsWith("#live?")) history.replaceState(null, "", address);
+      } catch { /* the address is not ours to change */ }
     }
     me.change = (some) => {
+      me.touched = true;
       scene = { ...scene, ...some };
       if (scene.speed > 0 && wheel) Object.assign(scene, { peclet: wheel[0] * scene.speed, heating: wheel[1] });
       show_controls();
@@ -465,7 +487,7 @@ function live_page(engine) {
     return me;
   }
 
-  const roots = [...document.querySelectorAll(".live")], whole = roots.find((root) => (root.dataset.views || "").includes("time"));
+  const roots = [...document.querySelectorAll(".live")], whole = roots.find((root) => "large" in root.dataset);
   const begun = new Map();
 
   function begin_at(root) {
@@ -476,7 +498,7 @@ function live_page(engine) {
 
   const from_address = () => {
     if (!whole || !location.hash.startsWith("#live?")) return;
-    begin_at(whole).move(decodeURI(location.hash.slice(6)));
+    begin_at(whole).move(location.hash.slice(6));
     whole.scrollIntoView();
   };
 

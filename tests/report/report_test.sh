@@ -206,7 +206,7 @@ TellsItsTree() {
 
 WovenTwiceAlike() { # the first time by make, which tells revision and tree
   local revision=$(told Revision) tree=$(told 'Source tree')
-  weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"} ${tree:+-M "tree=$tree"} -M live=yes --include-after-body=build/live.html
+  weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"} ${tree:+-M "tree=$tree"} $(grep -q 'id="solver"' "$report" && echo -M live=yes --include-after-body=build/live.html)
   cmp "$work/again.html" "$report"
 }
 
