@@ -139,7 +139,7 @@ else
 
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
-live_sources := $(filter-out src/studies/% src/program/% src/bench/%,$(sources)) $(wildcard src/live/gsl/*.h)
+live_sources := $(filter-out src/studies/% src/program/% src/bench/%,$(sources))
 live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
