@@ -16,7 +16,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // of an argument up to 40 of exp is 40 epsilon of a term that is e^-40 of the largest.
 constexpr double allowed = 100 * epsilon;
 
-TEST(Live, BesselFunctionsAreThoseOfGsl) {
+TEST(SpecialFunctions, BesselFunctionsAreThoseOfGsl) {
   for (double x = 1e-12; x < 1e5; x *= 1.3) {
     const double k0 = gsl_sf_bessel_K0_scaled(x), k1 = gsl_sf_bessel_K1_scaled(x);
     EXPECT_NEAR(thermoroll::bessel_k_scaled(0, x), k0, allowed * k0) << x;
@@ -31,7 +31,7 @@ TEST(Live, BesselFunctionsAreThoseOfGsl) {
 
 // The recurrence of n steps loses about n epsilon of P_n, whose slope at a zero is at least
 // sqrt(2 n / pi) or so; n up to 504, the largest rule of the solver.
-TEST(Live, ZerosAreThoseOfGsl) {
+TEST(SpecialFunctions, ZerosAreThoseOfGsl) {
   for (const int n : {1, 2, 10, 33, 120, 504}) {
     const auto size = static_cast<std::size_t>(n);
     gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);

@@ -734,4 +734,30 @@ END
   grep -q 'third' page.html && ! grep -q 'other' page.html || fail "another code has the colours of the first"
 }
 
+SolverHasItsPlacesOrASentence() {
+  chapter <<'END'
+# Page {#sec:page}
+
+::: {.screen}
+Drag it here:
+:::
+
+::: {.live views="contact"}
+A small place.
+:::
+
+::: {.live large="yes" views="contact time"}
+The large place.
+:::
+END
+  weave page.html one.md
+  grep -q 'This page was made without the solver' page.html || fail "nothing says that there is none"
+  ! grep -qE 'Drag it here|A small place|The large place' page.html || fail "a place is left"
+  weave page.html one.md -M live=yes
+  local part
+  for part in 'Drag it here' 'data-views="contact"' 'data-large="yes"' 'wasm-unsafe-eval'; do
+    grep -q "$part" page.html || fail "not in the page: $part"
+  done
+}
+
 "$1"
