@@ -36,8 +36,8 @@ namespace {
 
 constexpr double most_points = 1000000;
 
-[[noreturn]] void refuse_points(const std::string& text) {
-  throw std::invalid_argument("at = " + text +
+[[noreturn]] void refuse_points(const std::string& name, const std::string& text) {
+  throw std::invalid_argument(name + " = " + text +
                               " is not allowed: it must be A:B:N with N from 2 to 1000000, "
                               "numbers A,B,... or one number");
 }
@@ -64,9 +64,11 @@ std::string read_all(std::istream& in) {
 CLI::Validator readable_file() {
   return {[](const std::string& file) -> std::string {
             std::error_code none;
-            if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none))
-              return "";
-            throw std::invalid_argument("cannot read the scene file " + file);
+            const bool is_folder = std::filesystem::is_directory(file, none);
+            if (access(file.c_str(), R_OK) == 0 && !is_folder) return "";
+            const int reason = is_folder ? EISDIR : errno;
+            throw std::invalid_argument("cannot read the scene file " + file + ": " +
+                                        std::generic_category().message(reason));
           },
           ""};
 }
@@ -96,6 +98,7 @@ class SceneFile : public CLI::ConfigBase {
     for (CLI::ConfigItem& item : ConfigBase::from_config(text)) {
       if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
       if (item.parents.empty()) item.parents = here;
+      item.name = hyphenated(item.name);
       const CLI::App* command =
           item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
       if (command == nullptr || !is_key(*command, item.name))
@@ -171,18 +174,28 @@ void run_solve(const Options& o) {
     throw std::invalid_argument("profile = - is not allowed: it must be a file, beside the result");
   if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
     throw std::invalid_argument("--profile and --output are the same file, " + o.output);
+  if (o.profile_points && o.profile.empty())
+    throw std::invalid_argument("--profile-points needs --profile");
   const auto [x, units, physical] = solve_traced(o);
   std::vector<Answer> answers{{present(x, physical, value_of(format_names, o.format)), o.output}};
-  if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
+  if (!o.profile.empty()) {
+    const Profile found = o.profile_points ? profile(x, *o.profile_points) : profile(x);
+    answers.push_back({profile_csv(found, units), o.profile});
+  }
   deliver(answers);
   if (o.trace) print_trace(x.trace);
   conclude(x, physical, o.of_scene);
 }
 
 void run_temperature(const Options& o) {
-  const std::vector<double> at = read_points(o.at);
+  const std::vector<double> at = read_points("at", o.at), depths = read_points("depth", o.depth);
+  const double rows = static_cast<double>(at.size()) * static_cast<double>(depths.size());
+  require(rows <= most_points, "number of rows", rows, "at most 1000000");
+  for (const double depth : depths) require(depth >= 0, "depth", depth, "zero or positive");
   const auto [x, units, physical] = solve_scene(read_scene(o.of_scene));
-  deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
+  std::vector<DepthCurve> curves;
+  for (const double depth : depths) curves.push_back({depth, temperature_curve(x, at, depth)});
+  deliver({{curve_csv(curves, units), o.output}});
   conclude(x, physical, o.of_scene);
 }
 
@@ -242,15 +255,20 @@ void run_creep_curve(const Options& o) {
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
 }
 
+[[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& names) {
+  const std::string other = nearest(name, names);
+  throw std::invalid_argument("NAME = " + name +
+                              " is not allowed: it must be a name of figure-data --list" +
+                              (other.empty() ? "" : " (did you mean " + other + "?)"));
+}
+
 void run_figure_data(const Options& o) {
   if (o.list == !o.name.empty())
     throw std::invalid_argument("figure-data needs either a NAME or --list");
   const bool timed = !o.times.empty();
   const std::vector<std::string> names = timed ? timed_data_names() : figure_data_names();
   if (o.list) return deliver({{joined(names, "\n") + '\n', o.output}});
-  if (std::find(names.begin(), names.end(), o.name) == names.end())
-    throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
-                                joined(names, ", "));
+  if (std::find(names.begin(), names.end(), o.name) == names.end()) refuse_name(o.name, names);
   std::ostringstream out;
   if (timed)
     write_timed_data(o.name, read_benchmarks(o.times), out);
@@ -329,7 +347,9 @@ void add_format(CLI::App& command, Options& o) {
 }
 
 void add_output(CLI::App& command, Options& o) {
-  command.add_option("--output", o.output, "write to this file, all or nothing")->type_name("FILE");
+  command.add_option("--output", o.output, "write to this file, all or nothing")
+      ->type_name("FILE")
+      ->check(file_name("output"));
   command.add_flag("--verbose", o.verbose, "tell the time taken on standard error");
 }
 
@@ -338,7 +358,12 @@ void add_solve(CLI::App& program, Options& o) {
   add_scene_options(command, o.of_scene);
   add_format(command, o);
   command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(file_name("profile"));
+  command
+      .add_option("--profile-points", o.profile_points, "2 to 100000; the solver's unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number("profile-points"));
   command.add_flag("--trace", o.trace, "tell the grids of the coupled solver on standard error");
   add_output(command, o);
 }
@@ -346,19 +371,21 @@ void add_solve(CLI::App& program, Options& o) {
 void add_temperature(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
   add_scene_options(command, o.of_scene);
-  command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
-      ->type_name("POINTS")
-      ->required();
-  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
-      ->type_name("NUMBER")
-      ->check(finite_number("depth"));
+  command
+      .add_option(
+          "--at", o.at,
+          "s: A:B:N (N points from A to B), a list A,B,..., a number; -1.5:4:551 unless given")
+      ->type_name("POINTS");
+  command.add_option("--depth", o.depth, "depths in units of a, as --at; 0 unless given")
+      ->type_name("POINTS");
   add_output(command, o);
 }
 
 void add_all_creeps(CLI::App& command, Options& o) {
   add_scene_options(command, o.of_scene);
-  for (const char* name : {"--traction", "--creep", "--stick-slip-border", "--direction",
-                           "--branch", "--radius", "--method", "--nodes", "--tolerance"})
+  for (const char* name :
+       {"--traction", "--creep", "--stick-slip-border", "--direction", "--branch", "--radius",
+        "--method", "--nodes", "--tolerance", "--creep-ratio", "--tangential-load"})
     command.remove_option(command.get_option(name));
   command.add_option("--tolerance", o.of_scene.tolerance, "1e-7 to 1e-2; 1e-4 unless given")
       ->type_name("NUMBER")
@@ -392,16 +419,17 @@ void add_creep_law(CLI::App& program, Options& o) {
 void add_table(CLI::App& command, Options& o) {
   const auto add = [&](const char* name, std::string& value, const char* type,
                        const char* meaning) {
-    return command.add_option(name, value, meaning)->type_name(type);
+    CLI::Option* option = command.add_option(name, value, meaning)->type_name(type);
+    return type == std::string("FILE") ? option->check(file_name(name + 2)) : option;
   };
-  add("TABLE", o.table, "", "the table of scenes, a file; standard input if it is - or not given");
+  command.add_option("TABLE", o.table, "a file; standard input if it is - or not given")
+      ->type_name("");
   add("--columns", o.columns, "A,B,...", "write these columns only, in this order");
   add("--format", o.rows_format, joined(words(row_format_names), "|").c_str(),
       "format of the rows, csv unless given")
       ->check(one_of("format", words(row_format_names)));
   add("--keep", o.keep, "A,B,...", "columns that are labels, as id is");
-  add("--given", o.of_table.given, "traction|creep|stick-slip-border",
-      "of a table with results: the column that prescribes");
+  add("--given", o.of_table.given, "NAME", "of a table with results: the column that prescribes");
   add("--output", o.output, "FILE", "write to this file, which appears when it is complete");
   add("--resume", o.resume, "FILE", "append to this file, from the row on where it ends");
   add("--datapackage", o.package, "FILE", "describe the columns, with units, symbols and errors");
@@ -438,7 +466,8 @@ void read_table_options(const CLI::App& command, Options& o) {
   std::replace(o.of_table.given.begin(), o.of_table.given.end(), '_', '-');
   if (!o.of_table.given.empty() && !is_given_option(o.of_table.given))
     throw std::invalid_argument("given = " + o.of_table.given +
-                                " is not allowed: it must be traction, creep or stick-slip-border");
+                                " is not allowed: it must be traction, creep, stick-slip-border, "
+                                "creep-ratio or tangential-load");
   o.of_table.format = value_of(row_format_names, o.rows_format);
   o.of_table.constants = settings_given(command);
 }
@@ -449,7 +478,8 @@ void add_figure_data(CLI::App& program, Options& o) {
   command.add_option("NAME", o.name, "which data")->type_name("");
   command.add_flag("--list", o.list, "print the names that there are, in place of data");
   command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(file_name("times"));
   add_output(command, o);
 }
 
@@ -458,6 +488,12 @@ void add_claims(CLI::App& program, Options& o) {
       *program.add_subcommand("claims", "Print the paper's statements beside what was found");
   add_format(command, o);
   add_output(command, o);
+}
+
+void add_help(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("help", "Print the help of the program or of a subcommand");
+  command.add_option("SUBCOMMAND", o.name, "whose help")->type_name("");
 }
 
 constexpr const char* solve_examples = R"(Examples:
@@ -470,9 +506,12 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction -0.5 --peclet 4360 --heating 0.0175 --roller identical
   thermoroll solve --friction 0.6 --creep 0.5 --peclet 100 --heating 0.0175 \
     --friction-law linear --friction-temperature 0.02
-  thermoroll solve --config wheel.toml --traction 0.4
+  thermoroll solve --friction 0.3 --creep-ratio 0.002 --load 1.2e7 --speed 22.2 --radius 0.46 \
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+  thermoroll solve --config wheel.toml --profile profile.csv --profile-points 401
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
+Errors are estimates, not bounds.
 Methods: auto takes the least of the next three that meets the tolerance; coupled solves tractions
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
@@ -505,10 +544,12 @@ again after it was stopped. Parts joined, in order, are the results of the whole
 constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 100 --at 0,0.5,1 --depth 0.1
-  thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
+  thermoroll temperature --config wheel.toml --output temperature.csv
+  thermoroll temperature --config wheel.toml --at -1:3:41 --depth 0:0.2:5 --output map.csv
 
-The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
-units) and error_estimate (of T*, absolute; empty for gauss-chebyshev). Unless --roller says
+The columns are s, temperature (T*) and error_estimate (of T*, absolute; empty for gauss-chebyshev),
+with depth behind s where there are several. With data in SI units there are x_m, depth_m and
+temperature_celsius (the rise above ambient), each behind its own. Unless --roller says
 otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* creep_curve_examples = R"(Examples:
@@ -545,6 +586,10 @@ constexpr const char* claims_examples = R"(Examples:
 
 As in the paper all heat goes into one body: two steel bodies are about half as hot.)";
 
+constexpr const char* help_examples = R"(Examples:
+  thermoroll help
+  thermoroll help solve)";
+
 constexpr const char* program_footer = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
@@ -563,7 +608,8 @@ std::string help(const CLI::App& program) {
                                                            {"creep-curve", creep_curve_examples},
                                                            {"law", law_examples},
                                                            {"figure-data", figure_data_examples},
-                                                           {"claims", claims_examples}};
+                                                           {"claims", claims_examples},
+                                                           {"help", help_examples}};
   const auto commands = program.get_subcommands();
   const char* footer = commands.empty() ? program_footer : examples.at(commands[0]->get_name());
   std::string text = program.help() + '\n' + footer + '\n';
@@ -571,21 +617,34 @@ std::string help(const CLI::App& program) {
   return text;
 }
 
+std::vector<std::string> with_hyphens(std::vector<std::string> arguments) {
+  for (std::string& argument : arguments)
+    if (argument.find("--") == 0)
+      argument = hyphenated(argument.substr(0, argument.find('='))) +
+                 argument.substr(std::min(argument.find('='), argument.size()));
+  return arguments;
+}
+
+std::vector<std::string> help_wanted(const std::string& subcommand) {
+  if (subcommand.empty()) return {"--help"};
+  return {subcommand, "--help"};
+}
+
 }  // namespace
 
-std::vector<double> read_points(const std::string& text) {
+std::vector<double> read_points(const std::string& name, const std::string& text) {
   const bool grid = text.find(':') != std::string::npos;
   std::vector<double> parts;
   for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
     end = text.find(grid ? ':' : ',', begin);
     const std::optional<double> part = to_number(text.substr(begin, end - begin));
-    if (!part) refuse_points(text);
+    if (!part) refuse_points(name, text);
     parts.push_back(*part);
   }
   if (!grid) return parts;
-  if (parts.size() != 3) refuse_points(text);
+  if (parts.size() != 3) refuse_points(name, text);
   const double n = parts[2];
-  if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(text);
+  if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(name, text);
   std::vector<double> points(static_cast<std::size_t>(n));
   double i = 0;
   for (double& s : points) s = between(parts[0], parts[1], i++, n - 1);
@@ -599,19 +658,25 @@ Command read_command(const std::vector<std::string>& arguments) {
                            "print the version");
   program.set_config("--config", "", "read a scene from this file (TOML or INI)")
       ->type_name("FILE")
+      ->check(file_name("config"))
       ->check(readable_file());
   program.config_formatter(std::make_shared<SceneFile>(program));
   program.allow_config_extras(CLI::config_extras_mode::error);
   program.require_subcommand(1)->fallthrough();
   for (const auto add : {add_solve, add_sweep, add_temperature, add_creep_curve, add_creep_law,
-                         add_figure_data, add_claims})
+                         add_figure_data, add_claims, add_help})
     add(program, c.options);
   try {
-    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    std::vector<std::string> words = with_hyphens(arguments);
+    std::reverse(words.begin(), words.end());
+    program.parse(words);
     const CLI::App& command = *program.get_subcommands().front();
     c.subcommand = command.get_name();
+    if (c.subcommand == "help") return read_command(help_wanted(c.options.name));
     if (c.subcommand == "sweep") read_table_options(command, c.options);
-  } catch (const CLI::CallForHelp&) {
+  } catch (const CLI::CallForHelp& called) {
+    if (program.get_subcommands().empty() && !program.remaining().empty())
+      throw std::invalid_argument(reworded(called, program));
     c.text = help(program);
   } catch (const CLI::CallForVersion& version) {
     c.text = version.what() + std::string("\n");

@@ -14,8 +14,9 @@ namespace thermoroll {
 /// The options of the subcommands.
 struct Options {
   SceneOptions of_scene;
-  std::string at, name, times, format = "text", language = "c", output, profile;
-  double depth = 0;
+  std::string at = "-1.5:4:551", depth = "0";
+  std::string name, times, format = "text", language = "c", output, profile;
+  std::optional<int> profile_points;
   Maybe from, to;
   int points = 101;
   std::optional<int> jobs;
@@ -38,8 +39,9 @@ Command read_command(const std::vector<std::string>& arguments);
 /// Execute a command line, answers and notes included. Throws std::exception.
 void run(const Command& c);
 
-/// The points that a text describes, "A:B:N" or "A,B,...". Throws std::invalid_argument.
-std::vector<double> read_points(const std::string& text);
+/// The points that the text of an option describes, "A:B:N" or "A,B,...". Throws
+/// std::invalid_argument.
+std::vector<double> read_points(const std::string& name, const std::string& text);
 
 /// The version and, where it is known, the revision: "0.2.0 (6d936e9)". The build writes the body.
 const char* version();

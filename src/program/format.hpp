@@ -43,9 +43,15 @@ std::string quoted(std::string text);
 /// The table of claims in a format.
 std::string present(const std::vector<Claim>& claims, Format format);
 
-/// A temperature curve as CSV, with a column for degree C above ambient if the units are known.
-/// Throws NotConverged where a temperature is not finite.
-std::string curve_csv(const Curve& curve, const std::optional<Units>& units);
+/// A temperature curve, and its depth in units of a.
+struct DepthCurve {
+  double depth;
+  Curve curve;
+};
+
+/// Temperature curves as CSV, with columns for m and degree C above ambient if the units are known,
+/// and for the depth if there are several. Throws NotConverged where a temperature is not finite.
+std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional<Units>& units);
 
 /// A profile as CSV, with SI columns beside the dimensionless ones if the units are known.
 std::string profile_csv(const Profile& x, const std::optional<Units>& units);

@@ -20,7 +20,7 @@ using Maybe = std::optional<double>;
 
 struct SceneOptions {
   double friction = 0;
-  Maybe traction, creep, border;
+  Maybe traction, creep, border, creep_ratio, tangential_load;
   Maybe peclet, heating;
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
@@ -56,6 +56,8 @@ struct GivenScene {
   Approach approach;
   std::optional<PhysicalScene> physical;
   Maybe radius;
+  CreepUnit unit = CreepUnit::scaled;
+  std::string as_given{};  ///< of a quantity that is given in SI units, "tangential-load = 6e+06"
 };
 
 /// The scene that the options describe. Throws std::invalid_argument.
@@ -74,11 +76,19 @@ SolvedScene solve_scene(const GivenScene& c);
 /// The number that a text is as a whole, if it is finite.
 std::optional<double> to_number(const std::string& text);
 
-/// Validators for the texts of numbers and words, given to the option of this name. They throw
-/// std::invalid_argument.
-CLI::Validator finite_number(const std::string& name);
+/// Validators for the texts of numbers, in a unit, and words, given to the option of this name.
+/// They throw std::invalid_argument.
+CLI::Validator finite_number(const std::string& name, const std::string& unit = "NUMBER");
 CLI::Validator whole_number(const std::string& name);
+CLI::Validator file_name(const std::string& name);
 CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words);
+
+/// The name that is nearest to a word by the distance of @eq:edit-distance, or the first such name;
+/// empty if none is near enough to be meant, which is a fifth of the word's letters.
+std::string nearest(const std::string& word, const std::vector<std::string>& names);
+
+/// A name with hyphens for underscores.
+std::string hyphenated(std::string name);
 
 /// Words with a text between any two of them.
 std::string joined(const std::vector<std::string>& words, const std::string& between);

@@ -42,14 +42,9 @@ std::string quoted_cell(const std::string& line, std::size_t& at) {
   return cell;
 }
 
-std::string as_option(std::string name) {
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
-
 bool has_name(const std::vector<std::string>& names, const std::string& name) {
   return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& x) { return as_option(x) == as_option(name); });
+                     [&](const std::string& x) { return hyphenated(x) == hyphenated(name); });
 }
 
 std::vector<std::string> names_of(const std::vector<Field>& fields) {
@@ -71,21 +66,29 @@ struct RowOptions {
   CLI::App row;
 };
 
-std::string hint_for(const std::string& name) {
+std::string meant(const std::string& name, const std::vector<std::string>& names) {
+  const std::string other = nearest(name, names);
+  return other.empty() ? "" : " (did you mean " + other + "?)";
+}
+
+std::string hint_for(const std::string& name, const CLI::App& options) {
   for (const auto& [mark, word] : {std::pair(';', "';'"), std::pair('\t', "a tab")})
     if (name.find(mark) != std::string::npos)
       return std::string(" (are its fields separated by ") + word + "? only commas separate them)";
-  return "";
+  std::vector<std::string> names = all_results();
+  for (const CLI::Option* option : options.get_options())
+    names.push_back(option->get_name().substr(2));
+  return meant(name, names);
 }
 
 ReadColumn column_of(const std::string& name, const TableOptions& how, const CLI::App& options) {
   if (has_name(how.keep, name)) return {name, "", true};
-  const std::string option = as_option(name);
+  const std::string option = hyphenated(name);
   if (option != "help" && options.get_option_no_throw("--" + option) != nullptr)
     return {name, option};
   if (has_name(all_results(), name)) return {name, ""};
   throw std::invalid_argument("the header names what is no option of solve: " + name +
-                              hint_for(name) + "; --keep lets a label pass");
+                              hint_for(name, options) + "; --keep lets a label pass");
 }
 
 std::vector<ReadColumn> read_header(const std::string& line, const TableOptions& how) {
@@ -100,7 +103,7 @@ std::vector<ReadColumn> read_header(const std::string& line, const TableOptions&
   std::set<std::string> seen;
   for (const std::string& name : names) {
     columns.push_back(column_of(name, how, options.row));
-    if (!seen.insert(as_option(name)).second)
+    if (!seen.insert(hyphenated(name)).second)
       throw std::invalid_argument("the header names " + name + " twice");
   }
   return columns;
@@ -127,7 +130,7 @@ void check_complete(const SweepTable& t) {
     throw std::invalid_argument("the header lacks peclet (or data in SI units)");
   for (const std::string& name : t.how.keep)
     if (name != "id" && std::none_of(t.columns.begin(), t.columns.end(), [&](const ReadColumn& x) {
-          return x.is_label && as_option(x.name) == as_option(name);
+          return x.is_label && hyphenated(x.name) == hyphenated(name);
         }))
       throw std::invalid_argument("the header lacks " + name + ", which --keep names");
 }
@@ -159,7 +162,7 @@ std::string value_in(const std::vector<Setting>& row, const std::string& option)
 bool was_filled(const std::string& option, const std::string& given,
                 const std::vector<Setting>& row) {
   if (is_given_option(option)) return option != given;
-  if (option == "branch") return given != "traction";
+  if (option == "branch") return given != "traction" && given != "tangential-load";
   const bool si =
       std::any_of(row.begin(), row.end(), [](const Setting& x) { return is_si_option(x.option); });
   const std::string roller = value_in(row, "roller");
@@ -198,7 +201,7 @@ void name_fields(SweepTable& t) {
 
 std::optional<std::size_t> place(const std::vector<std::string>& names, const std::string& name) {
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (as_option(names[i]) == as_option(name)) return i;
+    if (hyphenated(names[i]) == hyphenated(name)) return i;
   return std::nullopt;
 }
 
@@ -225,7 +228,9 @@ std::vector<WrittenColumn> wanted_columns(const SweepTable& t) {
   std::vector<WrittenColumn> wanted;
   for (const std::string& name : t.how.columns) {
     const std::optional<std::size_t> at = place(names, name);
-    if (!at) throw std::invalid_argument("columns = " + name + " is not allowed: there is none");
+    if (!at)
+      throw std::invalid_argument("columns = " + name + " is not allowed: it must be a column" +
+                                  meant(name, names));
     wanted.push_back(all[*at]);
   }
   return wanted;

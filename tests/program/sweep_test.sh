@@ -191,7 +191,8 @@ BadHeaders() {
     [ $status -eq 2 ] && [ ! -s out ] || fail "$2: status $status: $(cat out err)"
     one_line "$1"
   }
-  bad "the header names what is no option of solve: pecle" 'friction,traction,pecle'
+  bad "the header names what is no option of solve: pecle (did you mean peclet?); --keep lets a label pass" 'friction,traction,pecle'
+  bad "the header names what is no option of solve: modle (did you mean model?)" 'friction,traction,peclet,modle'
   bad "the header names what is no option of solve: friction;traction;peclet" 'friction;traction;peclet'
   bad "the header names what is no option of solve: 0.6" '0.6,0.5,100'
   bad "(are its fields separated by ';'? only commas separate them)" 'friction;traction;peclet'
@@ -317,7 +318,7 @@ ChosenColumns() {
   for column in status stick_slip_border peclet error_estimate.creep; do
     [ "$(cell $column 2 some.csv)" = "$(cell $column 2)" ] || fail "$column: $(cat some.csv)"
   done
-  refuses 2 "columns = crep is not allowed" sweep scenes.csv --columns crep
+  refuses 2 "columns = crep is not allowed: it must be a column (did you mean creep?)" sweep scenes.csv --columns crep
   refuses 2 "columns =  is not allowed" sweep scenes.csv --columns traction,
 }
 
@@ -508,7 +509,9 @@ PartsOfFilesOnly() {
 
 BadOptions() {
   write_scenes
-  refuses 2 "given = peclet is not allowed: it must be traction, creep or stick-slip-border" sweep scenes.csv --given peclet
+  refuses 2 "given = peclet is not allowed: it must be traction, creep, stick-slip-border, creep-ratio or tangential-load" sweep scenes.csv --given peclet
+  refuses 2 "output = " sweep scenes.csv --output ""
+  refuses 2 "resume = " sweep scenes.csv --resume ""
   refuses 2 "format = text is not allowed: it must be csv or jsonl" sweep scenes.csv --format text
   refuses 2 "a quote is not closed" sweep scenes.csv --columns '"a'
   refuses 2 "unexpected more.csv" sweep scenes.csv more.csv
