@@ -144,9 +144,10 @@ live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
-data_files := $(patsubst %,build/data/%.csv,$(filter-out estimates sign,$(figures)) $(tables)) build/data/values.json
+data_files := $(patsubst %,build/data/%.csv,$(filter-out estimates sign recipe-%,$(figures)) $(tables)) build/data/values.json
 study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
 kept_files := $(study_files) build/data/sign.csv
+recipe_files := $(patsubst %,build/data/%.csv,$(filter recipe-%,$(figures)))
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
@@ -154,7 +155,7 @@ figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 with_live := $(if $(shell echo 'int main() {}' | clang++ --target=wasm32-wasi --sysroot=/usr -x c++ - -o /dev/null 2>/dev/null && echo yes),build/live.html)
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(kept_files) build/benches-built \
+steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(recipe_files) $(kept_files) build/benches-built \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -242,6 +243,13 @@ $(data_files): build/thermoroll | build/data
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
 
+# The recipes of appendix L, as a reader would run them.
+$(recipe_files): build/data/recipe-%.csv: src/recipes/%.sh src/recipes/locomotive.toml build/thermoroll | build/data
+	$(call step,computing $@)
+	@rm -rf build/recipes/$* && mkdir -p build/recipes/$* && cp src/recipes/locomotive.toml build/recipes/$*
+	@cd build/recipes/$* && PATH="$(CURDIR)/build:$$PATH" ROWS=1000 sh ../../../src/recipes/$*.sh
+	@mv build/recipes/$*/$*.csv $@
+
 $(study_files): build/data/%: figures/measured/study/% | build/data
 build/data/sign.csv: figures/measured/sign.csv | build/data
 $(kept_files):
@@ -258,7 +266,7 @@ build/benches-built: build/built | build/release/with-bench
 build/thermoroll-bench: build/benches-built ;
 
 drawn_from_times := $(filter build/figures/cost.svg build/figures/speed.svg build/figures/speed-%,$(figure_files))
-build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) \
+build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) $(recipe_files) \
     $(filter-out $(drawn_from_times),$(figure_files))
 	$(call step,timing the methods for half a minute)
 	@build/thermoroll-bench --benchmark_min_time=0.02 --benchmark_repetitions=3 \

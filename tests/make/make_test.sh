@@ -101,6 +101,22 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
   expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html' 'writing build/paper.html'
 }
 
+# The recipe of the appendix: no more is made than depends on the equation, and the curve is another.
+# (What other cases start from is as it was.)
+EquationEditChangesItsFigure() { # in the copy
+  in_copy reproduce
+  cp -a paper/05-closed-form.md src/model/carter.cpp "$work"
+  local before
+  before=$(cksum <build/figures/slip.svg)
+  sh src/recipes/equation.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'computing build/data/slip.csv' \
+    'drawing build/figures/slip.svg'
+  [ "$(cksum <build/figures/slip.svg)" != "$before" ] || fail "the figure is the same"
+  cp "$work/05-closed-form.md" paper/
+  make build/figures/slip.svg >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  [ "$(cksum <build/figures/slip.svg)" = "$before" ] || fail "the figure did not come back"
+}
+
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
 # mends it.
 InterruptedRunLeavesNothingHalfWritten() { # in the copy, for a release
