@@ -138,8 +138,8 @@ else
 # --- What there is to make ------------------------------------------------------------------------
 
 chapters := $(wildcard paper/*.md)
-sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
-live_sources := $(filter-out src/studies/% src/program/% src/bench/%,$(sources))
+sources := $(wildcard src/*/*.?pp src/include/*.h src/include/thermoroll/*.hpp)
+live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/c/% %.h,$(sources))
 live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
@@ -229,7 +229,7 @@ build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 
 build/built: build/tangle.stamp build/release/Makefile $(sources)
 	$(call step,compiling the program)
-	@$(compile) build/release --target thermoroll-cli
+	@$(compile) build/release --target thermoroll-cli thermoroll-c
 	@ln -sf release/thermoroll build/thermoroll
 	@touch $@
 
@@ -462,7 +462,7 @@ build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@echo "The PDF is $@"
 
 PREFIX ?= /usr/local
-## install: program, library, headers, CMake package to PREFIX (/usr/local); DESTDIR is heeded
+## install: program, libraries, headers, CMake package, Python module to PREFIX (/usr/local); DESTDIR is heeded
 install: build/thermoroll
 	@cmake --install build/release --prefix "$(PREFIX)"
 
