@@ -199,14 +199,18 @@ void tell(const CreepLaw& law, thermoroll_law_info& info) {
 
 thermoroll_law_value value_of(const CreepLaw& law, double creep) {
   const std::optional<LawValue> x = evaluate(law, creep);
-  const double none = std::nan("");
-  if (!x) return {sizeof(thermoroll_law_value), THERMOROLL_REFUSED, none, none, none, none, none,
-                  none, none};
-  const double unit = (creep < 0 ? law.braking : law.driving).unit_creep;
-  const double grows = std::max(1.0, std::abs(creep) / unit);
-  return {sizeof(thermoroll_law_value), THERMOROLL_DONE, x->traction, x->slope, x->temperature,
-          x->border, law.traction_error, law.temperature_error * grows,
-          x->border == -1 ? 0 : law.border_error};
+  const double none = std::nan(""), unit = (creep < 0 ? law.braking : law.driving).unit_creep;
+  thermoroll_law_value y{sizeof y, THERMOROLL_REFUSED, none, none, none, none, none, none, none};
+  if (!x) return y;
+  y.status = THERMOROLL_DONE;
+  y.traction = x->traction;
+  y.slope = x->slope;
+  y.max_temperature = x->temperature;
+  y.stick_slip_border = x->border;
+  y.traction_error = law.traction_error;
+  y.max_temperature_error = law.temperature_error * std::max(1.0, std::abs(creep) / unit);
+  y.stick_slip_border_error = x->border == -1 ? 0 : law.border_error;
+  return y;
 }
 
 template <class Row>

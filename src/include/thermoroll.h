@@ -53,22 +53,22 @@ enum thermoroll_status {
 /// A scene and how to solve it; dimensionless. thermoroll_scene_init() sets all members, of which
 /// friction, peclet and given must then be chosen.
 struct thermoroll_scene {
-  uint32_t size;             ///< sizeof(struct thermoroll_scene)
-  int32_t quantity;          ///< the prescribed one, enum thermoroll_quantity; the traction
-  double given;              ///< its value: Q* or xi*, negative for braking, or c0 in [-1, 1)
-  double friction;           ///< f > 0
-  double peclet;             ///< Pe = V a / 2k > 0
-  double heating;            ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
-  int32_t roller;            ///< enum thermoroll_roller; insulated: all heat into the half-space
-  int32_t direction;         ///< enum thermoroll_direction; driving. Of a border; others have a sign
-  double conductivity_ratio; ///< K2 / K1 > 0 of a conducting roller; else 0
-  double heating_2;          ///< H2 >= 0 of a conducting roller; else 0
-  double peclet_2;           ///< Pe2 > 0 of a conducting roller; 0 for that of the half-space
-  double bulk_difference;    ///< Theta, how much warmer a conducting roller is far away; 0
-  int32_t friction_law;        ///< enum thermoroll_friction_law; constant
-  int32_t branch;              ///< enum thermoroll_branch, of a traction with a law; rising
-  double friction_temperature; ///< T0* of a law, not 0; else 0
-  double friction_floor;       ///< of a law, from 0 to 1 (piecewise linear: its end value); 0
+  uint32_t size;      ///< sizeof(struct thermoroll_scene)
+  int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
+  double given;       ///< its value: Q* or xi*, negative for braking, or c0 in [-1, 1)
+  double friction;    ///< f > 0
+  double peclet;      ///< Pe = V a / 2k > 0
+  double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
+  int32_t roller;     ///< enum thermoroll_roller; insulated: all heat into the half-space
+  int32_t direction;  ///< enum thermoroll_direction; driving. Of a border; others have a sign
+  double conductivity_ratio;    ///< K2 / K1 > 0 of a conducting roller; else 0
+  double heating_2;             ///< H2 >= 0 of a conducting roller; else 0
+  double peclet_2;              ///< Pe2 > 0 of a conducting roller; 0 for that of the half-space
+  double bulk_difference;       ///< Theta, how much warmer a conducting roller is far away; 0
+  int32_t friction_law;         ///< enum thermoroll_friction_law; constant
+  int32_t branch;               ///< enum thermoroll_branch, of a traction with a law; rising
+  double friction_temperature;  ///< T0* of a law, not 0; else 0
+  double friction_floor;        ///< of a law, from 0 to 1 (piecewise linear: its end value); 0
   double friction_reference_temperature;  ///< of a law, where friction is f; 0
   int32_t method;                         ///< enum thermoroll_method; auto
   int32_t formulation;                    ///< enum thermoroll_formulation; corrected
@@ -79,11 +79,11 @@ struct thermoroll_scene {
 
 /// The results of a scene, or their estimated absolute errors; dimensionless.
 struct thermoroll_values {
-  double stick_slip_border, slip_length;  ///< c0, -1 in full slip; 1 - c0 to its own digits
-  double traction;                        ///< Q*, negative when braking
-  double creep_constant, creep;           ///< C; xi*, negative when braking
-  double load_ratio, gamma0;              ///< kappa; gamma0
-  double heat_integral;                   ///< the integral of v* p*
+  double stick_slip_border, slip_length;       ///< c0, -1 in full slip; 1 - c0 to its own digits
+  double traction;                             ///< Q*, negative when braking
+  double creep_constant, creep;                ///< C; xi*, negative when braking
+  double load_ratio, gamma0;                   ///< kappa; gamma0
+  double heat_integral;                        ///< the integral of v* p*
   double max_temperature, max_temperature_at;  ///< the largest T* on the surface; s there
   double eccentricity;                         ///< of the contact's centre from the axis
   double heat_1, heat_2;  ///< the heat that flows into the half-space; into the roller
@@ -93,7 +93,7 @@ struct thermoroll_values {
 /// The answer to a scene. The values of a scene that failed are NaN; so are the errors of the
 /// published scheme, which has none.
 struct thermoroll_result {
-  uint32_t size;     ///< sizeof(struct thermoroll_result), set by the caller in the first of an array
+  uint32_t size;     ///< sizeof(struct thermoroll_result), set by the caller in the first
   int32_t status;    ///< enum thermoroll_status
   int32_t model;     ///< enum thermoroll_model
   int32_t unknowns;  ///< of the last grid; 0 without one
@@ -106,19 +106,19 @@ struct thermoroll_law;
 
 /// How good a law is and where it ends.
 struct thermoroll_law_info {
-  uint32_t size;   ///< sizeof(struct thermoroll_law_info), set by the caller
-  int32_t status;  ///< enum thermoroll_status
-  double driving_end, braking_end;  ///< the sizes of the creeps where it ends; infinite if it does not
+  uint32_t size;                    ///< sizeof(struct thermoroll_law_info), set by the caller
+  int32_t status;                   ///< enum thermoroll_status
+  double driving_end, braking_end;  ///< sizes of the creeps where it ends; infinite without an end
   char message[256];                ///< why there is no law, or why it ends; or empty
 };
 
 /// A law at a creep; dimensionless. Beyond its end the numbers are NaN and the status is 2.
 struct thermoroll_law_value {
-  uint32_t size;   ///< sizeof(struct thermoroll_law_value), set by the caller in the first
-  int32_t status;  ///< 0 or 2
-  double traction, slope;          ///< Q*, with the sign of the creep; dQ*/dxi*, without an error
-  double max_temperature;          ///< the largest T*
-  double stick_slip_border;        ///< c0, -1 in full slip
+  uint32_t size;           ///< sizeof(struct thermoroll_law_value), set by the caller in the first
+  int32_t status;          ///< 0 or 2
+  double traction, slope;  ///< Q*, with the sign of the creep; dQ*/dxi*, without an error
+  double max_temperature;  ///< the largest T*
+  double stick_slip_border;                                               ///< c0, -1 in full slip
   double traction_error, max_temperature_error, stick_slip_border_error;  ///< estimated, absolute
 };
 
