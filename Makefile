@@ -16,7 +16,9 @@ figure_packages := $(data_packages) gnuplot-nox
 live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
 report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
-test_packages := $(report_packages) $(live_packages) $(check_packages) libxml2-utils chromium parallel
+python_packages := python3-numpy python3-matplotlib python3-venv python3-wheel
+fortran_packages := gfortran
+test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
