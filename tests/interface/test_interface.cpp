@@ -185,8 +185,9 @@ TEST(Interface, HeatIsShared) {
     EXPECT_EQ(x.value.heat_2 == 0, pair.scene.roller.conductivity_ratio == 0);
   }
   EXPECT_EQ(answer(pairs()[1].c).value.heat_1, answer(pairs()[1].c).value.heat_2);
-  const thermoroll_result crossing = answer(pairs()[3].c);  // the warmer roller keeps less
-  EXPECT_GT(crossing.value.heat_1, crossing.value.heat_integral);
+  const thermoroll_result crossing =
+      answer(pairs()[3].c);  // the warmer roller keeps less than half
+  EXPECT_GT(crossing.value.heat_1, 0.55 * crossing.value.heat_integral);
   EXPECT_GE(crossing.error.heat_1, crossing.error.heat_integral);
 }
 
@@ -207,8 +208,8 @@ TEST(Interface, LargestTractionIsTold) {
 TEST(Interface, FailedRowsAreNaN) {
   thermoroll_scene refused = steel(), unresolved = steel(), diverges = scheme(), lifts = scheme();
   refused.friction = -1;
-  unresolved.heating = 1e4;
-  unresolved.formulation = THERMOROLL_PRINTED;
+  unresolved.heating = 1e6;
+  unresolved.peclet = 100;
   diverges.heating = 30;
   lifts.heating = 30;
   lifts.peclet = 1000;
@@ -293,10 +294,11 @@ TEST(Interface, DefaultsAreThoseOfTheLibrary) {
   EXPECT_EQ(x.method, static_cast<int>(approach.method));
   EXPECT_EQ(x.quantity, THERMOROLL_TRACTION);
   thermoroll_scene whole = x;
+  whole.tolerance = 0.25;
   thermoroll_scene_init(&whole, offsetof(thermoroll_scene, tolerance));  // an older caller's
   EXPECT_EQ(whole.size, offsetof(thermoroll_scene, tolerance));
   EXPECT_EQ(whole.friction, 0);
-  EXPECT_EQ(whole.nodes, x.nodes);
+  EXPECT_EQ(whole.tolerance, 0.25);
   thermoroll_scene_init(nullptr, sizeof x);
   EXPECT_STREQ(thermoroll_version(), "0.2.0");
 }
@@ -330,12 +332,14 @@ TEST(Interface, EveryMemberIsRead) {
   expect_effect(conducting(), &S::conductivity_ratio, 3);
   expect_effect(conducting(), &S::heating_2, 0.04);
   expect_effect(conducting(), &S::peclet_2, 5000);
-  expect_effect(conducting(), &S::bulk_difference, 0.001);
+  expect_effect(conducting(), &S::bulk_difference, 0.0001);
   expect_effect(hot(), &S::friction_law, THERMOROLL_RATIONAL);
   expect_effect(hot(), &S::branch, THERMOROLL_FALLING);
   expect_effect(hot(), &S::friction_temperature, 0.03);
-  expect_effect(hot(), &S::friction_floor, 0.8);
-  expect_effect(hot(), &S::friction_reference_temperature, 0.001);
+  S decaying = hot();
+  decaying.friction_law = THERMOROLL_EXPONENTIAL;
+  expect_effect(decaying, &S::friction_floor, 0.8);
+  expect_effect(decaying, &S::friction_reference_temperature, -0.001);
   expect_effect(steel(), &S::method, THERMOROLL_CLOSED_FORM);
   expect_effect(steel(), &S::formulation, THERMOROLL_PRINTED);
   expect_effect(steel(), &S::tolerance, 1e-9);
