@@ -16,7 +16,9 @@ figure_packages := $(data_packages) gnuplot-nox
 live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
 report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
-test_packages := $(report_packages) $(live_packages) $(check_packages) libxml2-utils chromium parallel
+python_packages := python3-numpy python3-matplotlib python3-venv python3-wheel
+fortran_packages := gfortran
+test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
@@ -138,8 +140,8 @@ else
 # --- What there is to make ------------------------------------------------------------------------
 
 chapters := $(wildcard paper/*.md)
-sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
-live_sources := $(filter-out src/studies/% src/program/% src/bench/%,$(sources))
+sources := $(wildcard src/*/*.?pp src/include/*.h src/include/thermoroll/*.hpp)
+live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/c/% %.h,$(sources))
 live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
@@ -230,7 +232,7 @@ build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 
 build/built: build/tangle.stamp build/release/Makefile $(sources)
 	$(call step,compiling the program)
-	@$(compile) build/release --target thermoroll-cli
+	@$(compile) build/release --target thermoroll-cli thermoroll-c
 	@ln -sf release/thermoroll build/thermoroll
 	@touch $@
 
@@ -470,7 +472,7 @@ build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@echo "The PDF is $@"
 
 PREFIX ?= /usr/local
-## install: program, library, headers, CMake package to PREFIX (/usr/local); DESTDIR is heeded
+## install: program, libraries, headers, CMake package, Python module to PREFIX (/usr/local); DESTDIR is heeded
 install: build/thermoroll
 	@cmake --install build/release --prefix "$(PREFIX)"
 
