@@ -15,7 +15,7 @@ data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
 live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
 report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
-check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
+check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3 groff-base
 test_packages := $(report_packages) $(live_packages) $(check_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
@@ -57,6 +57,7 @@ command_of_gnuplot-nox := gnuplot
 command_of_clang-format := clang-format
 command_of_clang-tidy := clang-tidy
 command_of_libxml2-utils := xmllint
+command_of_groff-base := groff
 command_of_chromium := chromium
 command_of_parallel := parallel
 command_of_clang := clang++
@@ -192,6 +193,7 @@ reproduce: build/data/claims.txt build/report.html build/paper.html
 data: $(data_files) $(kept_files) $(timed_files)
 
 ## figures: draw every figure
+## build/figures/NAME.svg: draw one figure, that of figures/NAME.gp
 figures: $(figure_files)
 
 ## report: write build/report.html, and its short version without code, build/paper.html
@@ -462,8 +464,9 @@ build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@echo "The PDF is $@"
 
 PREFIX ?= /usr/local
-## install: program, library, headers, CMake package to PREFIX (/usr/local); DESTDIR is heeded
+## install: program, library, CMake package, manual page, completion for bash to PREFIX (/usr/local); DESTDIR is heeded
 install: build/thermoroll
+	@$(compile) build/release --target thermoroll-manual >build/manual.log || { cat build/manual.log; exit 1; }
 	@cmake --install build/release --prefix "$(PREFIX)"
 
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
@@ -475,7 +478,7 @@ clean:
 
 ## help: this list
 help:
-	@sed -n 's/^## \([a-z-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
+	@sed -n 's/^## \([a-zA-Z./-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 29
 
 endif
 endif
