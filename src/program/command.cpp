@@ -1,6 +1,7 @@
 // Tangled from paper/B-command-line.md; edit there.
 #include "program/command.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -74,8 +75,8 @@ CLI::Validator readable_file() {
 }
 
 bool is_key(const CLI::App& command, const std::string& name) {
-  return command.get_option_no_throw("--" + name) != nullptr && name != "output" &&
-         name != "profile" && name != "help";
+  const std::set<std::string> others{"output", "profile", "resume", "part", "datapackage", "help"};
+  return command.get_option_no_throw("--" + name) != nullptr && others.count(name) == 0;
 }
 
 /// Null if there is none of this name.
@@ -281,12 +282,59 @@ void run_claims(const Options& o) {
   deliver({{present(claims(), value_of(format_names, o.format)), o.output}});
 }
 
+std::optional<Part> read_part(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  constexpr long most = 1000000;
+  const std::size_t slash = text.find('/');
+  const std::optional<double> number = to_number(text.substr(0, slash)),
+                              of = slash < text.size() ? to_number(text.substr(slash + 1)) : number;
+  const bool whole = number && of && *number == std::floor(*number) && *of == std::floor(*of);
+  if (slash == std::string::npos || !whole || *number < 1 || *number > *of || *of > most)
+    throw std::invalid_argument("part = " + text +
+                                " is not allowed: it must be I/N with I from 1 to N and N up to "
+                                "1000000");
+  return Part{static_cast<long>(*number), static_cast<long>(*of)};
+}
+
+int open_table(const std::string& file) {
+  if (!file.empty() && file != "-") {
+    const int input = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (input < 0)
+      throw std::invalid_argument("cannot read the table " + file + ": " +
+                                  std::generic_category().message(errno));
+    return input;
+  }
+  if (isatty(STDIN_FILENO) != 0)
+    std::fputs("thermoroll: note: the table is read from the terminal (see sweep --help)\n",
+               stderr);
+  return STDIN_FILENO;
+}
+
+void check_files(const Options& o) {
+  const bool is_file = !o.table.empty() && o.table != "-";
+  if (!o.part.empty() && !is_file)
+    throw std::invalid_argument("--part needs the table as a file: thermoroll sweep TABLE --part " +
+                                o.part);
+  if (!o.resume.empty() && !o.output.empty())
+    throw std::invalid_argument("--output and --resume exclude each other");
+  if (!o.package.empty() && (!o.part.empty() || (o.output + o.resume).empty() || o.output == "-"))
+    throw std::invalid_argument("--datapackage describes the results of a whole table in a file");
+  for (const std::string& file : {o.output, o.resume})
+    if (is_file && !file.empty() && file != "-" && same_file(file, o.table))
+      throw std::invalid_argument("the results would replace the table, " + o.table);
+}
+
 void run_sweep(const Options& o) {
   const unsigned processors = std::thread::hardware_concurrency();  // 0 if unknown
   const int jobs = o.jobs.value_or(std::max(1, static_cast<int>(processors)));
   require(1 <= jobs && jobs <= 1024, "jobs", jobs, "from 1 to 1024");
+  check_files(o);
   const bool to_terminal = isatty(STDERR_FILENO) != 0;
-  const SweepCount rows = sweep(STDIN_FILENO, jobs, to_terminal && isatty(STDOUT_FILENO) == 0);
+  const bool to_file = isatty(STDOUT_FILENO) == 0 || !(o.output + o.resume).empty();
+  const SweepRequest request{
+      open_table(o.table), o.of_table,        o.output, o.resume,
+      o.package,           read_part(o.part), jobs,     to_terminal && to_file};
+  const SweepCount rows = sweep(request);
   if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
   if (rows.failed > 0)
     throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
@@ -369,12 +417,60 @@ void add_creep_law(CLI::App& program, Options& o) {
   add_output(command, o);
 }
 
+void add_table(CLI::App& command, Options& o) {
+  const auto add = [&](const char* name, std::string& value, const char* type,
+                       const char* meaning) {
+    CLI::Option* option = command.add_option(name, value, meaning)->type_name(type);
+    return type == std::string("FILE") ? option->check(file_name(name + 2)) : option;
+  };
+  command.add_option("TABLE", o.table, "a file; standard input if it is - or not given")
+      ->type_name("");
+  add("--columns", o.columns, "A,B,...", "write these columns only, in this order");
+  add("--format", o.rows_format, joined(words(row_format_names), "|").c_str(),
+      "format of the rows, csv unless given")
+      ->check(one_of("format", words(row_format_names)));
+  add("--keep", o.keep, "A,B,...", "columns that are labels, as id is");
+  add("--given", o.of_table.given, "NAME", "of a table with results: the column that prescribes");
+  add("--output", o.output, "FILE", "write to this file, which appears when it is complete");
+  add("--resume", o.resume, "FILE", "append to this file, from the row on where it ends");
+  add("--datapackage", o.package, "FILE", "describe the columns, with units, symbols and errors");
+  add("--part", o.part, "I/N", "the I-th of N parts of the rows; the first has the header");
+}
+
 void add_sweep(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("sweep", "Solve a table of scenes, row by row");
+  add_table(command, o);
   command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
       ->type_name("NUMBER")
       ->check(whole_number("jobs"));
   command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
+  add_scene_options(command, o.of_scene);
+  command.get_option("--friction")->required(false);
+}
+
+std::vector<Setting> settings_given(const CLI::App& command) {
+  SceneOptions none;
+  CLI::App scene;
+  add_scene_options(scene, none);
+  std::vector<Setting> given;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool is_of_scene = name != "--help" && scene.get_option_no_throw(name) != nullptr;
+    if (is_of_scene && option->count() > 0) given.push_back({name.substr(2), option->results()[0]});
+  }
+  return given;
+}
+
+void read_table_options(const CLI::App& command, Options& o) {
+  if (!o.keep.empty()) read_cells(o.keep, o.of_table.keep);
+  if (!o.columns.empty()) read_cells(o.columns, o.of_table.columns);
+  std::replace(o.of_table.given.begin(), o.of_table.given.end(), '_', '-');
+  if (!o.of_table.given.empty() && !is_given_option(o.of_table.given))
+    throw std::invalid_argument("given = " + o.of_table.given +
+                                " is not allowed: it must be traction, creep, stick-slip-border, "
+                                "creep-ratio or tangential-load");
+  o.of_table.format = value_of(row_format_names, o.rows_format);
+  o.of_table.constants = settings_given(command);
 }
 
 void add_figure_data(CLI::App& program, Options& o) {
@@ -437,14 +533,20 @@ where --bulk-temperature is given. Unless --roller says otherwise, all heat goes
 one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
+  thermoroll sweep scenes.csv --output results.csv
+  thermoroll sweep scenes.csv --columns friction,traction,creep,max_temperature,status
+  thermoroll sweep scenes.csv --tolerance 1e-3 --roller identical --format jsonl --jobs 1
+  thermoroll sweep scenes.csv --part 1/2 --resume part-1.csv
+  thermoroll sweep results.csv --given creep --tolerance 1e-8
   thermoroll sweep <scenes.csv >results.csv
-  thermoroll sweep --jobs 1 <scenes.csv | cut -d, -f1-12
 
 The first row of scenes.csv names the columns: long options of solve, without the dashes, in any
-order. An empty cell leaves its option out. The results have the same rows in the same order: the
-columns given, those of solve --format csv that are not among them, then status and error, which
-say what solve would have said of the row. Where a result has the name of a column that was given,
-it fills the cells that were left empty.)";
+order. An empty cell leaves its option out, and an option of the sweep holds in its place. The
+results have the same rows in the same order: the columns given, those of solve --format csv that
+are not among them, then status and error, which say what solve would have said of the row. Where
+a result has the name of a column that was given, it fills the cells that were left empty. The
+column id, and those that --keep names, are labels. With --resume the same command can be given
+again after it was stopped. Parts joined, in order, are the results of the whole table.)";
 
 constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
@@ -502,7 +604,7 @@ make install puts both where man and bash look for them.)";
 constexpr const char* program_footer = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
-  thermoroll sweep <scenes.csv >results.csv
+  thermoroll sweep scenes.csv >results.csv
   thermoroll solve --help
 
 Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not be written);
@@ -576,7 +678,8 @@ Command read_command(const std::vector<std::string>& arguments) {
     std::vector<std::string> words = with_hyphens(arguments);
     std::reverse(words.begin(), words.end());
     program.parse(words);
-    c.subcommand = program.get_subcommands().front()->get_name();
+    const CLI::App& command = *program.get_subcommands().front();
+    c.subcommand = command.get_name();
     if (c.subcommand == "help") {
       const HelpFormat format = value_of(help_format_names, c.options.help);
       const std::string name = c.options.name, file = c.options.output;
@@ -591,6 +694,7 @@ Command read_command(const std::vector<std::string>& arguments) {
                                            : std::vector<std::string>{name, "--help"})
                      .text;
     }
+    if (c.subcommand == "sweep") read_table_options(command, c.options);
   } catch (const CLI::CallForHelp& called) {
     if (program.get_subcommands().empty() && !program.remaining().empty())
       throw std::invalid_argument(reworded(called, program));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "program/scene_options.hpp"
+#include "program/table.hpp"
 
 namespace thermoroll {
 
@@ -19,6 +20,8 @@ struct Options {
   Maybe from, to;
   int points = 101;
   std::optional<int> jobs;
+  std::string table, columns, keep, rows_format = "csv", resume, part, package;
+  TableOptions of_table;
   bool list = false, verbose = false, trace = false;
 };
 

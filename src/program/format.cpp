@@ -228,9 +228,9 @@ std::string csv_cell(const json& value) {
                             : x["what"].get<std::string>() + ' ' + digits(x["from"], 6) + ".." +
                                   digits(x["to"], 6);
     }
-    return quoted(list);
+    return list;
   }
-  return value.is_string() ? quoted(value) : value.dump();
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 void flatten(const json& o, const std::string& prefix, std::vector<Field>& fields) {
@@ -400,6 +400,17 @@ json claims_json(const Table& table) {
 
 }  // namespace
 
+ColumnMeaning meaning_of(const std::string& column) {
+  const std::string name = column.substr(column.rfind('.') + 1);
+  const bool physical = column.find("physical.") == 0, error = name != column && !physical;
+  for (const auto& row : physical_rows)
+    if (physical && name == row.name) return {row.symbol, *row.unit == 0 ? "1" : row.unit};
+  if (physical && name == "contact_temperature_celsius") return {"", "degree C"};
+  for (const Reported& row : reported)
+    if (name == row.key) return {error ? "" : row.symbol, "1"};
+  return {"", "1"};
+}
+
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
                               const MoreColumns& with) {
   require_finite(x, physical);
@@ -477,7 +488,7 @@ std::string present(const Solution& x, const std::optional<FoundInSi>& physical,
   for (const Field& field : csv_fields(x, physical, with)) {
     const char* comma = header.empty() ? "" : ",";
     header.append(comma).append(field.name);
-    cells.append(comma).append(field.cell);
+    cells.append(comma).append(quoted(field.cell));
   }
   return header + '\n' + cells + '\n';
 }

@@ -14,7 +14,7 @@ namespace thermoroll {
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
 std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format);
 
-/// A column's name and a row's cell in it.
+/// A column's name and a row's cell in it, not yet quoted.
 struct Field {
   std::string name, cell;
 };
@@ -30,6 +30,12 @@ struct MoreColumns {
 /// finite.
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
                               const MoreColumns& with);
+
+/// The symbol, if it has one, and the unit of a column of numbers; "1" if it is dimensionless.
+struct ColumnMeaning {
+  std::string symbol, unit;
+};
+ColumnMeaning meaning_of(const std::string& column);
 
 /// A text as a cell of CSV: between quotes where it must be.
 std::string quoted(std::string text);

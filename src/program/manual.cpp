@@ -49,7 +49,7 @@ std::string footer_in_roff(const std::string& footer) {
 }
 
 constexpr const char* completion_begin = R"(# Completion of thermoroll for bash.
-_thermoroll() {
+complete_thermoroll() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command= i
   [ "$word" != = ] || word=
   [ "$before" != = ] || before=${COMP_WORDS[COMP_CWORD - 2]}
@@ -66,7 +66,7 @@ constexpr const char* completion_end = R"(  esac
   [ -z "$files" ] || { IFS=$'\n' && COMPREPLY+=($(compgen -f -- "$word")); }
   [ -z "$files" ] || compopt -o filenames 2>/dev/null || :
 }
-complete -F _thermoroll thermoroll
+complete -F complete_thermoroll thermoroll
 )";
 
 std::string after_options(const CLI::App& app, const std::string& name) {

@@ -54,6 +54,10 @@ enum class HelpFormat { text, man, bash };
 inline constexpr Name<HelpFormat> help_format_names[] = {
     {"text", HelpFormat::text}, {"man", HelpFormat::man}, {"bash", HelpFormat::bash}};
 
+enum class RowFormat { csv, jsonl };
+inline constexpr Name<RowFormat> row_format_names[] = {{"csv", RowFormat::csv},
+                                                       {"jsonl", RowFormat::jsonl}};
+
 /// The value of a word that is one of the names.
 template <class T, std::size_t n>
 T value_of(const Name<T> (&names)[n], const std::string& word) {

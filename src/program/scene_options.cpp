@@ -93,6 +93,12 @@ constexpr SceneOption given_options[] = {
     {"--tangential-load", "N/m", "in place of it, with SI data: load Q, between -f P and f P",
      &SceneOptions::tangential_load}};
 
+template <std::size_t n>
+bool is_in(const SceneOption (&options)[n], const std::string& name) {
+  return std::any_of(std::begin(options), std::end(options),
+                     [&](const SceneOption& option) { return option.name == "--" + name; });
+}
+
 void declare(CLI::App& command, SceneOptions& o, const SceneOption& option, const char* group) {
   command.add_option(option.name, o.*option.value, option.meaning)
       ->type_name(option.unit)
@@ -336,13 +342,30 @@ std::string meant(const std::string& word, const CLI::App& app) {
 }  // namespace
 
 bool is_si_option(const std::string& name) {
-  const auto is_in = [&](const auto& options) {
-    return std::any_of(std::begin(options), std::end(options),
-                       [&](const SceneOption& option) { return option.name == "--" + name; });
-  };
-  return is_in(si_options) || is_in(size_options) || is_in(roller_si_options) ||
-         is_in(roller_diffusivity) || is_in(bulk_options) || name == "creep-ratio" ||
+  return is_in(si_options, name) || is_in(size_options, name) || is_in(roller_si_options, name) ||
+         is_in(roller_diffusivity, name) || is_in(bulk_options, name) || name == "creep-ratio" ||
          name == "tangential-load";
+}
+
+bool is_group_option(const std::string& name) {
+  return is_in(group_options, name) || is_in(roller_group_options, name) ||
+         is_in(roller_peclet, name) || is_in(bulk_group_options, name);
+}
+
+bool is_roller_option(const std::string& name) {
+  return is_in(roller_group_options, name) || is_in(roller_peclet, name) ||
+         is_in(roller_si_options, name) || is_in(roller_diffusivity, name);
+}
+
+bool is_given_option(const std::string& name) { return is_in(given_options, name); }
+
+std::string unit_of_option(const std::string& name) {
+  SceneOptions none;
+  CLI::App scene;
+  add_scene_options(scene, none);
+  const CLI::Option* option = name.empty() ? nullptr : scene.get_option_no_throw("--" + name);
+  const std::string unit = option == nullptr ? "" : option->get_type_name();
+  return unit == "NUMBER" ? "1" : unit;
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& o) {

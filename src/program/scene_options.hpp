@@ -38,8 +38,15 @@ struct SceneOptions {
 /// Declare the options of a scene, which CLI11 will write to o.
 void add_scene_options(CLI::App& command, SceneOptions& o);
 
-/// Whether an option, named without its hyphens, stands for data in SI units.
+/// Whether an option, named without its hyphens, stands for data in SI units; for a dimensionless
+/// group in their place; for data of the roller; or for one of the quantities that prescribe.
 bool is_si_option(const std::string& name);
+bool is_group_option(const std::string& name);
+bool is_roller_option(const std::string& name);
+bool is_given_option(const std::string& name);
+
+/// The unit of an option that is a number, "1" if it has none; empty if there is no such option.
+std::string unit_of_option(const std::string& name);
 
 /// The scene as given. In SI units, peclet and heating are not known yet, and half_width is not if
 /// a radius is given. Its traction counts only if that is given.

@@ -1832,7 +1832,7 @@ Completion() {
     shift
     found=$(PATH="$PWD/bin:$PATH" bash -c 'source ./thermoroll.bash
       COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
-      _thermoroll
+      complete_thermoroll
       printf "%s;" "${COMPREPLY[@]}"' bash "$@") || fail "$* ended with an error"
     [ "$found" = "$expected" ] || fail "$*: $found"
   }
