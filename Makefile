@@ -15,7 +15,7 @@ data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
 live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
 report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
-check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
+check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3 groff-base
 python_packages := python3-numpy python3-matplotlib python3-venv python3-wheel
 fortran_packages := gfortran
 test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel
@@ -59,6 +59,7 @@ command_of_gnuplot-nox := gnuplot
 command_of_clang-format := clang-format
 command_of_clang-tidy := clang-tidy
 command_of_libxml2-utils := xmllint
+command_of_groff-base := groff
 command_of_chromium := chromium
 command_of_parallel := parallel
 command_of_clang := clang++
@@ -195,6 +196,7 @@ reproduce: build/data/claims.txt build/report.html build/paper.html
 data: $(data_files) $(kept_files) $(timed_files)
 
 ## figures: draw every figure
+## build/figures/NAME.svg: draw one figure, that of figures/NAME.gp
 figures: $(figure_files)
 
 ## report: write build/report.html, and its short version without code, build/paper.html
@@ -472,8 +474,9 @@ build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@echo "The PDF is $@"
 
 PREFIX ?= /usr/local
-## install: program, libraries, headers, CMake package, Python module to PREFIX (/usr/local); DESTDIR is heeded
+## install: program, libraries, CMake package, Python module, manual page, completion for bash to PREFIX (/usr/local); DESTDIR is heeded
 install: build/thermoroll
+	@$(compile) build/release --target thermoroll-manual >build/manual.log || { cat build/manual.log; exit 1; }
 	@cmake --install build/release --prefix "$(PREFIX)"
 
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
@@ -485,7 +488,7 @@ clean:
 
 ## help: this list
 help:
-	@sed -n 's/^## \([a-z-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
+	@sed -n 's/^## \([a-zA-Z./-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 29
 
 endif
 endif

@@ -25,6 +25,7 @@
 #include "program/exit_status.hpp"
 #include "program/format.hpp"
 #include "program/law_output.hpp"
+#include "program/manual.hpp"
 #include "program/sweep.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
@@ -494,6 +495,12 @@ void add_help(CLI::App& program, Options& o) {
   CLI::App& command =
       *program.add_subcommand("help", "Print the help of the program or of a subcommand");
   command.add_option("SUBCOMMAND", o.name, "whose help")->type_name("");
+  command.add_option("--format", o.help, "text unless given; a manual page; completion for bash")
+      ->type_name(joined(words(help_format_names), "|"))
+      ->check(one_of("format", words(help_format_names)));
+  command.add_option("--output", o.output, "write to this file, all or nothing")
+      ->type_name("FILE")
+      ->check(file_name("output"));
 }
 
 constexpr const char* solve_examples = R"(Examples:
@@ -588,7 +595,11 @@ As in the paper all heat goes into one body: two steel bodies are about half as 
 
 constexpr const char* help_examples = R"(Examples:
   thermoroll help
-  thermoroll help solve)";
+  thermoroll help solve
+  thermoroll help --format man --output thermoroll.1
+  thermoroll help --format bash --output thermoroll.bash
+
+make install puts both where man and bash look for them.)";
 
 constexpr const char* program_footer = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
@@ -601,18 +612,20 @@ Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not
 4 a sweep is complete, but some of its rows have an error; 5 a solution was found, but it is no
 contact: what it violates, and where, is in the result.)";
 
+const Footers footers{{"", program_footer},
+                      {"solve", solve_examples},
+                      {"sweep", sweep_examples},
+                      {"temperature", temperature_examples},
+                      {"creep-curve", creep_curve_examples},
+                      {"law", law_examples},
+                      {"figure-data", figure_data_examples},
+                      {"claims", claims_examples},
+                      {"help", help_examples}};
+
 std::string help(const CLI::App& program) {
-  static const std::map<std::string, const char*> examples{{"solve", solve_examples},
-                                                           {"sweep", sweep_examples},
-                                                           {"temperature", temperature_examples},
-                                                           {"creep-curve", creep_curve_examples},
-                                                           {"law", law_examples},
-                                                           {"figure-data", figure_data_examples},
-                                                           {"claims", claims_examples},
-                                                           {"help", help_examples}};
   const auto commands = program.get_subcommands();
-  const char* footer = commands.empty() ? program_footer : examples.at(commands[0]->get_name());
-  std::string text = program.help() + '\n' + footer + '\n';
+  const std::string name = commands.empty() ? "" : commands[0]->get_name();
+  std::string text = program.help() + '\n' + footers.at(name) + '\n';
   for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
   return text;
 }
@@ -623,11 +636,6 @@ std::vector<std::string> with_hyphens(std::vector<std::string> arguments) {
       argument = hyphenated(argument.substr(0, argument.find('='))) +
                  argument.substr(std::min(argument.find('='), argument.size()));
   return arguments;
-}
-
-std::vector<std::string> help_wanted(const std::string& subcommand) {
-  if (subcommand.empty()) return {"--help"};
-  return {subcommand, "--help"};
 }
 
 }  // namespace
@@ -672,7 +680,20 @@ Command read_command(const std::vector<std::string>& arguments) {
     program.parse(words);
     const CLI::App& command = *program.get_subcommands().front();
     c.subcommand = command.get_name();
-    if (c.subcommand == "help") return read_command(help_wanted(c.options.name));
+    if (c.subcommand == "help") {
+      const HelpFormat format = value_of(help_format_names, c.options.help);
+      const std::string name = c.options.name, file = c.options.output;
+      if (format != HelpFormat::text && !name.empty())
+        throw std::invalid_argument("--format " + c.options.help +
+                                    " is for the whole program, not " + name);
+      c = {"", {}, "", file};
+      if (format == HelpFormat::man) c.text = manual_page(program, footers, version());
+      if (format == HelpFormat::bash) c.text = bash_completion(program);
+      if (format == HelpFormat::text)
+        c.text = read_command(name.empty() ? std::vector<std::string>{"--help"}
+                                           : std::vector<std::string>{name, "--help"})
+                     .text;
+    }
     if (c.subcommand == "sweep") read_table_options(command, c.options);
   } catch (const CLI::CallForHelp& called) {
     if (program.get_subcommands().empty() && !program.remaining().empty())
@@ -687,7 +708,7 @@ Command read_command(const std::vector<std::string>& arguments) {
 }
 
 void run(const Command& c) {
-  if (c.subcommand.empty()) return deliver({{c.text, ""}});
+  if (c.subcommand.empty()) return deliver({{c.text, c.file}});
   static const std::map<std::string, void (*)(const Options&)> runs{
       {"solve", run_solve},
       {"sweep", run_sweep},

@@ -15,7 +15,7 @@ namespace thermoroll {
 struct Options {
   SceneOptions of_scene;
   std::string at = "-1.5:4:551", depth = "0";
-  std::string name, times, format = "text", language = "c", output, profile;
+  std::string name, times, format = "text", language = "c", help = "text", output, profile;
   std::optional<int> profile_points;
   Maybe from, to;
   int points = 101;
@@ -25,11 +25,12 @@ struct Options {
   bool list = false, verbose = false, trace = false;
 };
 
-/// A command line as read: a subcommand with its options or, where that is empty, a text.
+/// A command line as read: a subcommand with its options or, where that is empty, a text and the
+/// file that it is for.
 struct Command {
   std::string subcommand;
   Options options;
-  std::string text;
+  std::string text, file;
 };
 
 /// Read a command line, without the program's name, and the scene file that it names. Throws

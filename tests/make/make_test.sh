@@ -329,7 +329,12 @@ InstalledPackage() { # in the copy
   local prefix="$work/prefix" user="$work/user" file
   make install PREFIX="$prefix" >/dev/null
   "$prefix/bin/thermoroll" --version
-  for file in LICENSE CITATION.cff; do cmp $file "$prefix/share/doc/thermoroll/$file"; done
+  for file in README.md CHANGELOG.md LICENSE CITATION.cff; do
+    cmp $file "$prefix/share/doc/thermoroll/$file"
+  done
+  diff -r src/recipes "$prefix/share/doc/thermoroll/examples"
+  "$prefix/bin/thermoroll" help --format man | cmp - "$prefix/share/man/man1/thermoroll.1"
+  "$prefix/bin/thermoroll" help --format bash | cmp - "$prefix/share/bash-completion/completions/thermoroll"
 
   mkdir "$user"
   readme cpp >"$user/example.cpp"

@@ -1788,6 +1788,77 @@ BadCreepLaws() {
 
 # --- The other subcommands ------------------------------------------------------------------------
 
+# groff warns of nothing in the manual page. It has every option of every subcommand, below its name, and
+# every line of the examples as it stands in the help.
+ManualPage() {
+  command -v groff >/dev/null || fail "groff is not there: install groff-base"
+  answers help --format man
+  cp out thermoroll.1
+  groff -man -ww -Tascii -P-cbou -rLL=300n -rLT=300n thermoroll.1 >page 2>warnings || fail "$(cat warnings)"
+  [ ! -s warnings ] || fail "groff said: $(cat warnings)"
+  grep -q '^thermoroll - Rolling contact' <(sed 's/^ *//' page) || fail "no name: $(head -5 page)"
+  local command line
+  for command in solve sweep temperature creep-curve law figure-data claims help; do
+    sed -n "/^thermoroll $command\$/,/^thermoroll [a-z]/p" page | sed 's/^ *//' >section
+    [ -s section ] || fail "no $command"
+    answers $command --help
+    grep -o '^  [-h,]*--[a-z0-9-]*' out | sed 's/.* \(-h,\)\{0,1\}//' >options
+    [ "$(wc -l <options)" -ge 3 ] || fail "$command: $(cat out)"
+    while IFS= read -r line; do
+      grep -q -- "^$line\( \|\$\)" section || fail "$command has no $line"
+    done <options
+    sed -n 's/^  \(thermoroll .*\)/\1/p' out >examples
+    while IFS= read -r line; do
+      grep -qxF -- "$line" section || fail "$command has no example $line"
+    done <examples
+  done
+  run help --format man --output file
+  cmp file thermoroll.1 || fail "another page in the file"
+  echo '.nonsense' >>thermoroll.1
+  groff -man -ww -z thermoroll.1 2>&1 | grep -q nonsense || fail "groff warns of nothing"
+  refuses 2 "--format man is for the whole program, not solve" help solve --format man
+  refuses 2 "format = html is not allowed: it must be text or man or bash" help --format html
+}
+
+# Bash's own completion with the function that the program writes.
+Completion() {
+  answers help --format bash
+  cp out thermoroll.bash
+  mkdir bin
+  ln -s "$program" bin/thermoroll
+  touch "a file.csv" scenes.csv
+  completes() { # completes EXPECTED WORD...: the last word may become one of these
+    local expected=$1 found
+    shift
+    found=$(PATH="$PWD/bin:$PATH" bash -c 'source ./thermoroll.bash
+      COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+      complete_thermoroll
+      printf "%s;" "${COMPREPLY[@]}"' bash "$@") || fail "$* ended with an error"
+    [ "$found" = "$expected" ] || fail "$*: $found"
+  }
+  completes 'solve;' thermoroll so
+  completes '--version;' thermoroll --v
+  completes '--friction;--friction-law;--friction-temperature;--friction-floor;--friction-reference-temperature;' \
+    thermoroll solve --peclet 100 --fric
+  completes 'insulated;identical;conducting;' thermoroll solve --roller ''
+  completes 'identical;' thermoroll solve --roller = id
+  completes 'insulated;identical;conducting;' thermoroll solve --roller =
+  completes ';' thermoroll solve --friction ''
+  completes 'c;python;modelica;json;' thermoroll law --format ''
+  completes 'text;json;csv;' thermoroll solve --format ''
+  completes 'a file.csv;' thermoroll solve --output a
+  completes 'scenes.csv;' thermoroll --config sc
+  completes 'kernels;' thermoroll figure-data kern
+  completes 'creep-curve;' thermoroll help cr
+  local command option
+  for command in solve sweep temperature creep-curve law figure-data claims help; do
+    answers $command --help
+    for option in $(grep -o '^  [-h,]*--[a-z0-9-]*' out | sed 's/.*--/--/'); do
+      grep -q "^  '$command '\*) words='.*$option " thermoroll.bash || fail "$command has no $option"
+    done
+  done
+}
+
 FigureData() {
   answers figure-data --list
   grep -qx kernels out && grep -qx values out || fail "$(cat out)"
