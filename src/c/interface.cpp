@@ -230,8 +230,6 @@ struct thermoroll_law {
   thermoroll::CreepLaw law;
 };
 
-const char* thermoroll_version() { return THERMOROLL_VERSION; }
-
 const char* thermoroll_message(int status) {
   constexpr const char* messages[] = {"done",
                                       "no solution was found, or not to the tolerance",
