@@ -3,12 +3,8 @@ name = 'recipe-curves'
 height = 560
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
-at(v, value) = column("speed") == v ? value : NaN
-across = 0.009 # m, the length of the contact across the rail
-force(v) = at(v, column("traction_n_per_m")*across/1000)
-warmth(v) = at(v, column("contact_temperature_celsius"))
 speeds = '20 40 80'
-speed(k) = real(word(speeds, k))
+of(k, value) = column("speed") == real(word(speeds, k)) ? value : NaN
 set rmargin at screen 0.86
 set multiplot
 
@@ -19,7 +15,7 @@ set xtics 1; set ytics 10
 set label 1 'tractive force in kN' at graph 0, graph 1.09 left offset -4,0
 set label 2 '20 m/s' at graph 1.02, first 32.3
 set label 3 '80 m/s' at graph 1.02, first 28.3
-plot for [k = 1:3] data using (column("creep_ratio")*100):(force(speed(k))) \
+plot for [k = 1:3] data using "creep_percent":(of(k, column("force_kn"))) \
   with lines linetype k title word(speeds, k).' m/s, force'
 
 eval lower_panel
@@ -31,6 +27,6 @@ set label 1 'hottest point in °C' at graph 0, graph 1.09 left offset -4,0
 set label 2 '20 m/s' at graph 1.02, first 180
 set label 3 '40 m/s' at graph 1.02, first 236
 set label 4 '80 m/s' at graph 1.02, first 304
-plot for [k = 1:3] data using (column("creep_ratio")*100):(warmth(speed(k))) \
+plot for [k = 1:3] data using "creep_percent":(of(k, column("celsius"))) \
   with lines linetype k title word(speeds, k).' m/s, temperature'
 unset multiplot

@@ -175,7 +175,7 @@ function tangle.expand(chunks, id, lines, used)
 end
 
 -- The mark of a comment, by the end of the file's name; elsewhere //.
-local comments = { py = "#", toml = "#", typed = "#", f90 = "!" }
+local comments = { py = "#", sh = "#", toml = "#", typed = "#", f90 = "!" }
 
 local function header(path, from)
   local chapters = {}

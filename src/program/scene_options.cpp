@@ -260,7 +260,7 @@ void check_law_options(const SceneOptions& o, bool si) {
   if (!constant && !o.friction_temperature)
     throw std::invalid_argument("--friction-law " + o.friction_law +
                                 " lacks --friction-temperature");
-  if (!branch.empty() && !o.traction)
+  if (!branch.empty() && !o.traction && !o.tangential_load)
     throw std::invalid_argument(
         "--branch is for a given traction: a creep or a border has one solution");
   if (const std::string bulk = those(bulk_options, o, true); !si && !bulk.empty())

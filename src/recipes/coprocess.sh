@@ -1,4 +1,4 @@
-// Tangled from paper/L-recipes.md; edit there.
+# Tangled from paper/L-recipes.md; edit there.
 coproc thermoroll sweep --peclet 100 --heating 1 --columns creep,max_temperature
 ask() {
   echo "$1" >&"${COPROC[1]}"

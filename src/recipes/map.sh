@@ -1,3 +1,3 @@
-// Tangled from paper/L-recipes.md; edit there.
+# Tangled from paper/L-recipes.md; edit there.
 thermoroll temperature --config locomotive.toml --speed 40 --creep-ratio 0.01 \
   --at -1.2:2.4:73 --depth 0:0.025:26 --output map.csv

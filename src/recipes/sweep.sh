@@ -1,4 +1,4 @@
-// Tangled from paper/L-recipes.md; edit there.
+# Tangled from paper/L-recipes.md; edit there.
 awk -v rows="${ROWS:-100000}" '
   function part(step) { return (i * step) % 1 }
   BEGIN {
