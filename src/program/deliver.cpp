@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
@@ -82,8 +83,11 @@ std::FILE* open_to_append(const std::string& name) {
 
 namespace {
 std::timed_mutex writing;
-std::string unfinished;  // the file that grows under a temporary name
+std::string unfinished;         // the file that grows under a temporary name
+std::atomic<long> counted{-1};  // its rows
 }  // namespace
+
+long rows_written() { return counted; }
 
 bool stop_output(std::chrono::milliseconds longest) {
   const bool stopped = writing.try_lock_for(longest);
@@ -92,16 +96,18 @@ bool stop_output(std::chrono::milliseconds longest) {
 }
 
 Output::Output(const std::string& file, Kind kind) : written_{file, "", ""} {
-  if (is_output(file)) return;
   const std::lock_guard<std::timed_mutex> whole(writing);
+  counted = 0;
+  if (is_output(file)) return;
   file_ = kind == Kind::appended ? open_to_append(file) : open_aside(written_);
   if (file_ == nullptr) cannot_write(file, errno);
   unfinished = written_.aside;
 }
 
-void Output::put(const std::string& text) {
+void Output::put(const std::string& text, long rows) {
   const std::lock_guard<std::timed_mutex> whole(writing);
   write_at_once(file_, text, file_ == stdout ? "to standard output" : written_.file);
+  counted += rows;
 }
 
 void Output::cut(std::uintmax_t bytes) {

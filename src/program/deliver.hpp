@@ -35,14 +35,17 @@ class Output {
   Output& operator=(const Output&) = delete;
   ~Output();
 
-  void put(const std::string& text);  ///< at once
-  void cut(std::uintmax_t bytes);     ///< keep so much of what it was appended to
+  void put(const std::string& text, long rows = 0);  ///< at once; so many rows
+  void cut(std::uintmax_t bytes);                    ///< keep so much of what it was appended to
   void finish();
 
  private:
   Written written_;
   std::FILE* file_ = stdout;
 };
+
+/// The rows that the output has so far, after stop_output(); below zero if there is none.
+long rows_written();
 
 /// Wait until nothing is being written, but no longer than this; whether that is so. If it is,
 /// nothing will be written any more, and a file that has not been finished is removed.

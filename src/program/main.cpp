@@ -14,7 +14,6 @@
 #include "program/command.hpp"
 #include "program/deliver.hpp"
 #include "program/exit_status.hpp"
-#include "program/sweep.hpp"
 
 namespace thermoroll {
 namespace {
@@ -25,7 +24,7 @@ void await_signal(const sigset_t& signals) {
   stop_output(std::chrono::seconds(1));
   const char* line_end = isatty(STDERR_FILENO) != 0 ? "\n" : "";  // the terminal shows ^C
   const std::string rows =
-      rows_written < 0 ? "" : ", after " + std::to_string(rows_written) + " rows";
+      rows_written() < 0 ? "" : ", after " + std::to_string(rows_written()) + " rows";
   std::fprintf(stderr, "%sthermoroll: stopped by a signal: %s%s\n", line_end, strsignal(signal),
                rows.c_str());
   std::signal(signal, SIG_DFL);

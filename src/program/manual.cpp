@@ -78,7 +78,8 @@ std::string after_options(const CLI::App& app, const std::string& name) {
     std::replace(type.begin(), type.end(), '|', ' ');
     if (is_word) follows = "words='" + type + '\'';
     if (type == "FILE") follows = "files=yes";
-    cases += "  " + name + ' ' + option->get_name() + "') " + follows + " ;;\n";
+    cases.append("  ").append(name).append(" ").append(option->get_name());
+    cases.append("') ").append(follows).append(" ;;\n");
   }
   return cases;
 }

@@ -114,13 +114,13 @@ void Sweep::put(long row, SweepRow done) {
   if (stop_) return;
   at(row) = std::move(done);
   std::string text;
+  const long before = count_.rows;
   for (; auto& next = at(count_.rows); ++count_.rows) {
     text += next->text;
     count_.failed += !next->solved;
     next.reset();
   }
-  output_->put(text);
-  rows_written = count_.rows;
+  output_->put(text, count_.rows - before);
   tell();
   moved_.notify_all();
 }
@@ -209,6 +209,7 @@ void Sweep::continue_file() {
     refuse("ends with another row than this sweep has there");
   output_->cut(done.bytes);
   if (has_header && done.bytes == 0) output_->put(header_of(table_));
+  output_->put("", done.rows);
   count_.rows = done.rows;
   count_.failed = done.failed;
 }
@@ -236,11 +237,6 @@ std::string summary(const SweepCount& x) {
          fixed(static_cast<double>(use.ru_maxrss) / 1024, 0) + " MB";
 }
 
-std::atomic<long> rows_written{-1};
-
-SweepCount sweep(const SweepRequest& request) {
-  rows_written = 0;
-  return Sweep(request).run();
-}
+SweepCount sweep(const SweepRequest& request) { return Sweep(request).run(); }
 
 }  // namespace thermoroll

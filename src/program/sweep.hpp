@@ -1,7 +1,6 @@
 // Tangled from paper/D-sweeps-and-reliability.md; edit there.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -39,8 +38,5 @@ SweepCount sweep(const SweepRequest& request);
 
 /// Rows and errors, rows per second, and the most memory that the process had so far.
 std::string summary(const SweepCount& x);
-
-/// The rows written so far, for the message of a signal; below zero if no sweep has begun.
-extern std::atomic<long> rows_written;
 
 }  // namespace thermoroll

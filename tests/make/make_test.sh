@@ -178,6 +178,33 @@ END
   ls build/figures | diff "$work/all" - || fail "figures are missing"
 }
 
+# A dry run and the help need no lock, and work where nothing may be written. The lock of a make that is
+# killed, with all that it started, goes with it.
+LockHindersNoOther() {
+  mkdir "$work/project"
+  cp -r Makefile CMakeLists.txt CMakePresets.json paper src figures "$work/project"
+  cd "$work/project"
+  fake pandoc <<<"touch '$work/tangling'; exec sleep 60"
+  env PATH="$fakes:$PATH" setsid make build/tangle.stamp >"$work/first" 2>&1 &
+  local first=$! as=()
+  until [ -e "$work/tangling" ]; do kill -0 $first || fail "$(cat "$work/first")"; sleep 0.1; done
+  timeout 30 make -n build/tangle.stamp >"$work/log" 2>&1 || fail "a dry run waits: $(cat "$work/log")"
+  ! timeout 1 make build/tangle.stamp >"$work/log" 2>&1 || fail "no lock was held"
+  grep -q 'Waiting for another make' "$work/log" || fail "said: $(cat "$work/log")"
+  kill -KILL -- -$first
+  wait $first 2>/dev/null || true
+  timeout 60 make build/tangle.stamp >"$work/log" 2>&1 || fail "after a kill: $(cat "$work/log")"
+  ! grep -q Waiting "$work/log" || fail "a lock was left: $(cat "$work/log")"
+  rm -r build
+  chmod 755 "$scratch" "$work"
+  chmod -R a-w .
+  [ "$(id -u)" != 0 ] || as=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+  "${as[@]}" make -n all >"$work/log" 2>&1 || fail "a dry run in a read-only folder: $(cat "$work/log")"
+  "${as[@]}" make help >"$work/log" 2>&1 || fail "help in a read-only folder: $(cat "$work/log")"
+  grep -q '^make check  ' "$work/log" && grep -q '^make build/figures/NAME.svg  ' "$work/log" || fail "$(cat "$work/log")"
+  chmod -R u+w .
+}
+
 # Where there is no flock, nothing waits and nothing is said.
 WorksWithoutFlock() {
   hide flock

@@ -180,6 +180,9 @@ TangentialLoad() {
   done
   refuses 2 "tangential-load = 6e+06: traction = 0.5 is not allowed: it must be at most 0." \
     solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
+  answers solve "${data[@]}" --tangential-load 1e6 --friction-law linear --friction-temperature 200 \
+    --branch falling --format json
+  [ "$(value branch) $(value tangential_load)" = "falling 1000000.0" ] || fail "$(cat out)"
   refuses 2 "for data in SI units only: --tangential-load" solve --friction 0.6 --peclet 100 --tangential-load 1
   refuses 2 "data in SI units lack --load" solve --friction 0.6 --radius 0.46 --tangential-load 1
 }
