@@ -3,8 +3,8 @@ name = 'recipe-map'
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
 
 # Cells about the points of the grid.
-set xrange [-1.225:2.425]
-set yrange [0.0255:-0.0005]
+set xrange [-1.25:2.45]
+set yrange [0.02475:-0.00075]
 eval axes('s', '')
 set xtics 1
 set ytics 0.005
