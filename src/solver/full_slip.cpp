@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "support/number_text.hpp"
 
@@ -14,28 +15,95 @@ using enum Quantity;
 
 namespace {
 
-/// Refuse, by std::invalid_argument, a creep without a contact, naming the creep where that ends.
-[[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation,
-                                         double creep) {
-  constexpr int n = 80;
-  GridSolution last = next_to_full_slip(scene, formulation, n);
-  if (last.newton_steps == 0)
-    throw std::runtime_error("coupled: no solution found in full slip at the creep " +
-                             shortest(creep));
-  double low = last.value(Quantity::creep), high = creep;
-  last = {};
-  for (int halving = 0; halving < 20; ++halving) {
-    const double middle = low + (high - low) / 2;
-    const GridSolution at = solve_slipping_grid(scene, formulation, n, middle, last);
-    const bool contact = at.newton_steps > 0 && at.value(load_ratio) > 0;
-    (contact ? low : high) = middle;
-    if (contact) last = at;
+bool is_contact(GridSolution x) {
+  forget_the_edge(x, 1e-3);
+  return x.newton_steps > 0 && x.violations.empty();
+}
+
+bool lacks_only_the_load(GridSolution x) {
+  forget_the_edge(x, 1e-3);
+  return x.newton_steps > 0 && x.violations.size() == 1 && x.violations[0].what == "no load";
+}
+
+struct Followed {
+  GridSolution contact;  // the last; no newton_steps if full slip begins with none
+  double creep;          // of the last
+  GridSolution beyond;   // without a load; no newton_steps if it is not lost
+};
+
+constexpr int followed_unknowns = 80;
+
+Followed follow_contacts(const Scene& scene, Formulation formulation, double creep) {
+  const GridSolution first = next_to_full_slip(scene, formulation, followed_unknowns);
+  Followed x{first, first.value(Quantity::creep), {}};
+  if (!is_contact(first) || !(x.creep > 0)) return {};
+  for (double growth = 1.1; x.creep < creep && growth > 1.0001;) {
+    const double next = std::min(growth * x.creep, creep);
+    const GridSolution at =
+        solve_slipping_grid(scene, formulation, followed_unknowns, next, x.contact);
+    if (lacks_only_the_load(at)) {
+      x.beyond = at;
+      return x;
+    }
+    const bool contact = is_contact(at);
+    growth = contact ? std::min(2.0, growth * growth) : std::sqrt(growth);
+    if (contact) x = {at, next, {}};
   }
-  const int decimals = std::max(0, 6 - static_cast<int>(std::floor(std::log10(low))));
-  const double unit = std::pow(10, -decimals), limit = std::floor(low / unit) * unit;
-  throw std::invalid_argument("creep = " + shortest(creep) +
-                              " is not allowed: it must be below the creep_limit of about " +
-                              fixed(limit, decimals) + ", where contact is lost");
+  return x;
+}
+
+/// 0 if the secants do not arrive.
+double creep_without_load(const Scene& scene, Formulation formulation, const Followed& from) {
+  GridSolution last = from.contact, now = from.beyond;
+  for (int step = 0; step < 20; ++step) {
+    if (std::abs(now.value(load_ratio)) < 1e-10) return now.value(Quantity::creep);
+    const double per_load = (now.value(Quantity::creep) - last.value(Quantity::creep)) /
+                            (now.value(load_ratio) - last.value(load_ratio));
+    const double next = now.value(Quantity::creep) - per_load * now.value(load_ratio);
+    last = now;
+    now = solve_slipping_grid(scene, formulation, followed_unknowns, next, last);
+    if (!is_contact(now) && !lacks_only_the_load(now)) break;
+  }
+  return 0;
+}
+
+std::string rounded_down(double x) {
+  const int decimals = std::max(0, 6 - static_cast<int>(std::floor(std::log10(x))));
+  const double unit = std::pow(10, -decimals);
+  return fixed(std::floor(x / unit) * unit, decimals);
+}
+
+/// By std::invalid_argument where contact is lost before it, else by std::runtime_error.
+[[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation, double creep,
+                                         const Followed& found) {
+  const std::string asked = shortest(sign_of(scene.direction) * creep);
+  const bool driving = scene.direction == Direction::driving;
+  double limit = 0;
+  if (found.beyond.newton_steps > 0) limit = creep_without_load(scene, formulation, found);
+  if (limit > 0)
+    throw std::invalid_argument("creep = " + asked + " is not allowed: it must be " +
+                                (driving ? "below" : "above") + " the creep_limit of about " +
+                                (driving ? "" : "-") + rounded_down(limit) +
+                                ", where contact is lost");
+  throw std::runtime_error("coupled: no contact found in full slip at the creep " + asked +
+                           ", nor the creep at which contact is lost");
+}
+
+/// The contact that is followed to the creep, else a solution with a load; refuses a creep that has
+/// neither, or at which contact is lost.
+GridSolution followed_full_slip(const Scene& scene, Formulation formulation, double creep,
+                                const GridSolution& found) {
+  const Followed x = follow_contacts(scene, formulation, creep);
+  if (x.contact.newton_steps > 0 && x.creep == creep) return x.contact;
+  const auto loaded = [](const GridSolution& y) {
+    return y.newton_steps > 0 && y.value(load_ratio) > 0;
+  };
+  if (x.beyond.newton_steps > 0) refuse_without_contact(scene, formulation, creep, x);
+  if (loaded(found)) return found;
+  const GridSolution last =
+      solve_slipping_grid(scene, formulation, followed_unknowns, creep, x.contact);
+  if (loaded(last)) return last;
+  refuse_without_contact(scene, formulation, creep, x);
 }
 
 }  // namespace
@@ -74,9 +142,8 @@ void forget_the_edge(GridSolution& x, double length) {
 
 CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep) {
   const Formulation formulation = approach.formulation;
-  const GridSolution level = coarse_full_slip(scene, formulation, creep);
-  if (level.newton_steps == 0 || !(level.value(load_ratio) > 0))
-    refuse_without_contact(scene, formulation, creep);
+  GridSolution level = coarse_full_slip(scene, formulation, creep);
+  if (!is_contact(level)) level = followed_full_slip(scene, formulation, creep, level);
   const auto n = static_cast<int>(level.h.size());
   const double more = 1e-3 * creep;
   Results slope =

@@ -47,13 +47,13 @@ BuildsInFolderWithSpace() {
   mkdir -p "$copy"
   tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
   make -C "$copy" build/release/with-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  (cd build/release && find CMakeFiles -name '*.cpp.o' ! -name kernels.cpp.o ! -name exit_status.cpp.o \
+  (cd build/release && find CMakeFiles -name '*.c*.o' ! -name kernels.cpp.o ! -name exit_status.cpp.o \
     ! -name main.cpp.o ! -name bench.cpp.o -exec cp --parents {} "$copy/build/release" \;)
   cd "$copy"
   make all build/thermoroll-bench >>"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
-  cp -r "$project/build/data" "$project/build/figures" "$project/build/live.html" build/
+  cp -r "$project/build/data" "$project/build/figures" "$project/build/live.html" "$project"/build/colours-* build/
   mkdir -p build/live && cp "$project/build/live/solver.wasm" build/live/
   touch "$work/now" # one time for all, that none is older than what it is made of
   find build/data build/figures build/live build/live.html -type f -exec touch -r "$work/now" {} +

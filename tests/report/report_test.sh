@@ -187,7 +187,7 @@ ValuesStandAsWritten() {
   local key sign number times found
   mkdir -p "$work/project/build"
   cp -r paper figures "$work/project/"
-  cp -r build/data build/figures "$work/project/build/"
+  cp -r build/data build/figures build/colours-* "$work/project/build/" # the code is that of the report
   for file in values speed study-values; do
     awk -F'"' -v OFS='"' -v first=$(case $file in values) echo 71001 ;; speed) echo 81001 ;; *) echo 91001 ;; esac) '
       NF > 4 {
