@@ -19,7 +19,20 @@ column() {
   awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i; next } { print $column }' "$2"
 }
 
-# A longer speed has less force at the end, and the rest of the curve is that of the options alone.
+# The three lines of the README, in a copy, with the program in its place.
+ReadmeCommands() {
+  sed -n '/^    mkdir -p build\/try/,/gnuplot/p' "$project/README.md" >commands
+  [ "$(wc -l <commands)" -eq 3 ] || fail "the README has other commands"
+  mkdir -p copy/src copy/build
+  cp -r "$recipes" copy/src/
+  cp -r "$project/figures" copy/
+  ln -s "$program" copy/build/thermoroll
+  (cd copy && bash ../commands >../out 2>../err) || fail "$(cat err)"
+  [ ! -s err ] && [ ! -s out ] || fail "said: $(cat out err)"
+  grep -q '</svg>' copy/build/try/curves.svg || fail "no picture"
+}
+
+# A higher speed has less force at the end, and the rest of the curve is that of the options alone.
 CurvesAtThreeSpeeds() {
   cook curves.sh
   [ "$(column speed curves.csv | uniq -c | tr -s ' ' | paste -sd,)" = " 101 20, 101 40, 101 80" ] || fail "$(head -3 curves.csv)"
