@@ -22,9 +22,9 @@ Table sidecar() { return read_table(golden_folder + "tolerances.csv"); }
 std::vector<std::string> tables() {
   std::vector<std::string> names = thermoroll::figure_data_names();
   std::erase(names, "values");
-  for (const auto& entry : std::filesystem::directory_iterator(root + "/src/recipes"))
-    if (std::filesystem::exists(root + "/figures/recipe-" + entry.path().stem().string() + ".gp"))
-      names.push_back("recipe-" + entry.path().stem().string());
+  for (const auto& entry : std::filesystem::directory_iterator(root + "/figures"))
+    if (const std::string name = entry.path().stem().string(); name.rfind("recipe-", 0) == 0)
+      names.push_back(name);
   return names;
 }
 
