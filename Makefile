@@ -15,8 +15,10 @@ data_packages := $(build_packages) libbenchmark-dev
 figure_packages := $(data_packages) gnuplot-nox
 live_packages := clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32
 report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
-check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3
-test_packages := $(report_packages) $(live_packages) $(check_packages) libxml2-utils chromium parallel
+check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3 groff-base
+python_packages := python3-numpy python3-matplotlib python3-venv python3-wheel
+fortran_packages := gfortran
+test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
@@ -57,6 +59,7 @@ command_of_gnuplot-nox := gnuplot
 command_of_clang-format := clang-format
 command_of_clang-tidy := clang-tidy
 command_of_libxml2-utils := xmllint
+command_of_groff-base := groff
 command_of_chromium := chromium
 command_of_parallel := parallel
 command_of_clang := clang++
@@ -138,17 +141,18 @@ else
 # --- What there is to make ------------------------------------------------------------------------
 
 chapters := $(wildcard paper/*.md)
-sources := $(wildcard src/*/*.?pp src/include/thermoroll/*.hpp)
-live_sources := $(filter-out src/studies/% src/program/% src/bench/%,$(sources))
+sources := $(wildcard src/*/*.?pp src/include/*.h src/include/thermoroll/*.hpp)
+live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/c/% %.h,$(sources))
 live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
 # Those that take longest come first, lest one is alone at the end.
 data_files := build/data/survival.csv build/data/values.json \
-  $(patsubst %,build/data/%.csv,$(filter-out estimates sign,$(figures)) $(filter-out survival,$(tables)))
+  $(patsubst %,build/data/%.csv,$(filter-out estimates sign recipe-%,$(figures)) $(filter-out survival,$(tables)))
 study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
 kept_files := $(study_files) build/data/sign.csv
+recipe_files := $(patsubst %,build/data/%.csv,$(filter recipe-%,$(figures)))
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 
@@ -156,7 +160,7 @@ figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 with_live := $(if $(shell echo 'int main() {}' | clang++ --target=wasm32-wasi --sysroot=/usr -x c++ - -o /dev/null 2>/dev/null && echo yes),build/live.html)
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(kept_files) build/benches-built \
+steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(recipe_files) $(kept_files) build/benches-built \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -194,6 +198,7 @@ reproduce: build/data/claims.txt build/report.html build/paper.html
 data: $(data_files) $(kept_files) $(timed_files)
 
 ## figures: draw every figure
+## build/figures/NAME.svg: draw one figure, that of figures/NAME.gp
 figures: $(figure_files)
 
 ## report: write build/report.html, and its short version without code, build/paper.html
@@ -231,7 +236,7 @@ build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 
 build/built: build/tangle.stamp build/release/Makefile $(sources)
 	$(call step,compiling the program)
-	@$(compile) build/release --target thermoroll-cli
+	@$(compile) build/release --target thermoroll-cli thermoroll-c
 	@ln -sf release/thermoroll build/thermoroll
 	@touch $@
 
@@ -243,6 +248,13 @@ build/thermoroll: build/built ;
 $(data_files): build/thermoroll | build/data
 	$(call step,computing $@)
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
+
+# The recipes of appendix L, as a reader would run them.
+$(recipe_files): build/data/recipe-%.csv: src/recipes/%.sh src/recipes/locomotive.toml build/thermoroll | build/data
+	$(call step,computing $@)
+	@rm -rf build/recipes/$* && mkdir -p build/recipes/$* && cp src/recipes/locomotive.toml build/recipes/$*
+	@cd build/recipes/$* && PATH="$(CURDIR)/build:$$PATH" ROWS=400 sh ../../../src/recipes/$*.sh
+	@mv build/recipes/$*/$*.csv $@
 
 $(study_files): build/data/%: figures/measured/study/% | build/data
 build/data/sign.csv: figures/measured/sign.csv | build/data
@@ -260,7 +272,7 @@ build/benches-built: build/built | build/release/with-bench
 build/thermoroll-bench: build/benches-built ;
 
 drawn_from_times := $(filter build/figures/cost.svg build/figures/speed.svg build/figures/speed-%,$(figure_files))
-build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) \
+build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) $(recipe_files) \
     $(filter-out $(drawn_from_times),$(figure_files))
 	$(call step,timing the methods for half a minute)
 	@build/thermoroll-bench --benchmark_min_time=0.02 --benchmark_repetitions=3 \
@@ -417,7 +429,7 @@ soak: build/thermoroll
 mutants: build/tangle.stamp
 	@$(apart) bash tests/mutants/run.sh $(ONLY)
 
-fuzz_targets := arguments file table scene
+fuzz_targets := arguments file table scene interface
 ## fuzz: look for inputs that break a way in, each for its share of MINUTES (4; needs clang)
 fuzz: | build
 	$(call configure,fuzz)
@@ -464,8 +476,9 @@ build/report.pdf build/paper.pdf: build/%.pdf: build/%.html
 	@echo "The PDF is $@"
 
 PREFIX ?= /usr/local
-## install: program, library, headers, CMake package to PREFIX (/usr/local); DESTDIR is heeded
+## install: program, libraries, CMake package, Python module, manual page, completion for bash to PREFIX (/usr/local); DESTDIR is heeded
 install: build/thermoroll
+	@$(compile) build/release --target thermoroll-manual >build/manual.log || { cat build/manual.log; exit 1; }
 	@cmake --install build/release --prefix "$(PREFIX)"
 
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
@@ -477,7 +490,7 @@ clean:
 
 ## help: this list
 help:
-	@sed -n 's/^## \([a-z-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 18
+	@sed -n 's/^## \([a-zA-Z./-]*\): \(.*\)/make \1\t\2/p' Makefile | expand -t 29
 
 endif
 endif

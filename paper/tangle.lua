@@ -174,11 +174,14 @@ function tangle.expand(chunks, id, lines, used)
   return out, from
 end
 
-local function header(from)
+-- The mark of a comment, by the end of the file's name; elsewhere //.
+local comments = { py = "#", sh = "#", toml = "#", typed = "#", f90 = "!" }
+
+local function header(path, from)
   local chapters = {}
   for _, source in ipairs(from) do table.insert(chapters, "paper/" .. source:match("[^/]*$")) end
   table.sort(chapters)
-  return "// Tangled from " .. table.concat(chapters, ", ") .. "; edit there."
+  return (comments[path:match("%.(%w+)$")] or "//") .. " Tangled from " .. table.concat(chapters, ", ") .. "; edit there."
 end
 
 -- 4. Write: only what changed, never half a file ---------------------------------------------------
@@ -207,7 +210,7 @@ function Reader(sources)
   local used, texts = {}, {}
   for _, path in ipairs(order) do
     local out, from = tangle.expand(chunks, files[path].id, lines, used)
-    texts[path] = header(from) .. "\n" .. table.concat(out, "\n") .. "\n"
+    texts[path] = header(path, from) .. "\n" .. table.concat(out, "\n") .. "\n"
   end
   for _, piece in ipairs(pieces) do
     if not used[piece.id] then

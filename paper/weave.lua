@@ -934,7 +934,8 @@ end
 
 local chunk_code
 
---- A piece's code: runs of lines, and between them references that open to the chunk's own code.
+--- A piece's code: runs of lines, and between them references that open to the chunk's own code; in a
+--- file, which stands whole in the index of files, they are links.
 local function piece_code(piece)
   if piece.shown then return piece.shown end
   local out, run = {}, {}
@@ -944,7 +945,9 @@ local function piece_code(piece)
   end
   for k, line in ipairs(piece.code) do
     local space, name = tangle.reference(line)
-    if chunks[name or ""] then
+    if chunks[name or ""] and piece.file then
+      table.insert(run, space .. link(anchor(chunks[name].pieces[1]), chunks[name].html))
+    elseif chunks[name or ""] then
       flush()
       local chunk = chunks[name]
       table.insert(out, string.format(

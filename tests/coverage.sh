@@ -2,7 +2,7 @@
 # coverage.sh BUILD: of each chapter's lines of code, how many have run in BUILD so far. The #line
 # directives make gcov count by chapter.
 set -eu -o pipefail
-find "$1"/CMakeFiles/thermoroll{,-studies,-program,-cli}.dir -name '*.gcno' -exec gcov --stdout --relative-only --source-prefix "$PWD" {} + |
+find "$1"/CMakeFiles/thermoroll{,-studies,-program,-cli,-c}.dir -name '*.gcno' -exec gcov --stdout --relative-only --source-prefix "$PWD" {} + |
   awk -F: '
     $2 + 0 == 0 && $3 == "Source" { chapter = $4; next }
     chapter !~ /^paper\// || $1 ~ /^ *-$/ || NF < 3 { next }

@@ -41,7 +41,8 @@ Units units_of(const PhysicalScene& si, double friction) {
   const double traction = si.load / si.half_width;
   const double slip = 2 * (1 - si.poisson) * traction / si.shear_modulus * si.speed;
   const double heat_flux = friction * slip * traction;
-  return {traction, slip, heat_flux, heat_flux * si.half_width / si.conductivity};
+  const double temperature = heat_flux * si.half_width / si.conductivity;
+  return {traction, slip, heat_flux, temperature, si.half_width};
 }
 
 void require(bool allowed, const std::string& name, double value, const std::string& range) {

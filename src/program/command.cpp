@@ -1,9 +1,11 @@
 // Tangled from paper/B-command-line.md; edit there.
 #include "program/command.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -23,6 +25,7 @@
 #include "program/exit_status.hpp"
 #include "program/format.hpp"
 #include "program/law_output.hpp"
+#include "program/manual.hpp"
 #include "program/sweep.hpp"
 #include "studies/claims.hpp"
 #include "studies/figure_data.hpp"
@@ -34,8 +37,8 @@ namespace {
 
 constexpr double most_points = 1000000;
 
-[[noreturn]] void refuse_points(const std::string& text) {
-  throw std::invalid_argument("at = " + text +
+[[noreturn]] void refuse_points(const std::string& name, const std::string& text) {
+  throw std::invalid_argument(name + " = " + text +
                               " is not allowed: it must be A:B:N with N from 2 to 1000000, "
                               "numbers A,B,... or one number");
 }
@@ -62,16 +65,18 @@ std::string read_all(std::istream& in) {
 CLI::Validator readable_file() {
   return {[](const std::string& file) -> std::string {
             std::error_code none;
-            if (access(file.c_str(), R_OK) == 0 && !std::filesystem::is_directory(file, none))
-              return "";
-            throw std::invalid_argument("cannot read the scene file " + file);
+            const bool is_folder = std::filesystem::is_directory(file, none);
+            if (access(file.c_str(), R_OK) == 0 && !is_folder) return "";
+            const int reason = is_folder ? EISDIR : errno;
+            throw std::invalid_argument("cannot read the scene file " + file + ": " +
+                                        std::generic_category().message(reason));
           },
           ""};
 }
 
 bool is_key(const CLI::App& command, const std::string& name) {
-  return command.get_option_no_throw("--" + name) != nullptr && name != "output" &&
-         name != "profile" && name != "help";
+  const std::set<std::string> others{"output", "profile", "resume", "part", "datapackage", "help"};
+  return command.get_option_no_throw("--" + name) != nullptr && others.count(name) == 0;
 }
 
 /// Null if there is none of this name.
@@ -94,6 +99,7 @@ class SceneFile : public CLI::ConfigBase {
     for (CLI::ConfigItem& item : ConfigBase::from_config(text)) {
       if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
       if (item.parents.empty()) item.parents = here;
+      item.name = hyphenated(item.name);
       const CLI::App* command =
           item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
       if (command == nullptr || !is_key(*command, item.name))
@@ -169,18 +175,28 @@ void run_solve(const Options& o) {
     throw std::invalid_argument("profile = - is not allowed: it must be a file, beside the result");
   if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
     throw std::invalid_argument("--profile and --output are the same file, " + o.output);
+  if (o.profile_points && o.profile.empty())
+    throw std::invalid_argument("--profile-points needs --profile");
   const auto [x, units, physical] = solve_traced(o);
   std::vector<Answer> answers{{present(x, physical, value_of(format_names, o.format)), o.output}};
-  if (!o.profile.empty()) answers.push_back({profile_csv(profile(x), units), o.profile});
+  if (!o.profile.empty()) {
+    const Profile found = o.profile_points ? profile(x, *o.profile_points) : profile(x);
+    answers.push_back({profile_csv(found, units), o.profile});
+  }
   deliver(answers);
   if (o.trace) print_trace(x.trace);
   conclude(x, physical, o.of_scene);
 }
 
 void run_temperature(const Options& o) {
-  const std::vector<double> at = read_points(o.at);
+  const std::vector<double> at = read_points("at", o.at), depths = read_points("depth", o.depth);
+  const double rows = static_cast<double>(at.size()) * static_cast<double>(depths.size());
+  require(rows <= most_points, "number of rows", rows, "at most 1000000");
+  for (const double depth : depths) require(depth >= 0, "depth", depth, "zero or positive");
   const auto [x, units, physical] = solve_scene(read_scene(o.of_scene));
-  deliver({{curve_csv(temperature_curve(x, at, o.depth), units), o.output}});
+  std::vector<DepthCurve> curves;
+  for (const double depth : depths) curves.push_back({depth, temperature_curve(x, at, depth)});
+  deliver({{curve_csv(curves, units), o.output}});
   conclude(x, physical, o.of_scene);
 }
 
@@ -240,15 +256,20 @@ void run_creep_curve(const Options& o) {
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
 }
 
+[[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& names) {
+  const std::string other = nearest(name, names);
+  throw std::invalid_argument("NAME = " + name +
+                              " is not allowed: it must be a name of figure-data --list" +
+                              (other.empty() ? "" : " (did you mean " + other + "?)"));
+}
+
 void run_figure_data(const Options& o) {
   if (o.list == !o.name.empty())
     throw std::invalid_argument("figure-data needs either a NAME or --list");
   const bool timed = !o.times.empty();
   const std::vector<std::string> names = timed ? timed_data_names() : figure_data_names();
   if (o.list) return deliver({{joined(names, "\n") + '\n', o.output}});
-  if (std::find(names.begin(), names.end(), o.name) == names.end())
-    throw std::invalid_argument("NAME = " + o.name + " is not allowed: it must be one of " +
-                                joined(names, ", "));
+  if (std::find(names.begin(), names.end(), o.name) == names.end()) refuse_name(o.name, names);
   std::ostringstream out;
   if (timed)
     write_timed_data(o.name, read_benchmarks(o.times), out);
@@ -261,12 +282,59 @@ void run_claims(const Options& o) {
   deliver({{present(claims(), value_of(format_names, o.format)), o.output}});
 }
 
+std::optional<Part> read_part(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  constexpr long most = 1000000;
+  const std::size_t slash = text.find('/');
+  const std::optional<double> number = to_number(text.substr(0, slash)),
+                              of = slash < text.size() ? to_number(text.substr(slash + 1)) : number;
+  const bool whole = number && of && *number == std::floor(*number) && *of == std::floor(*of);
+  if (slash == std::string::npos || !whole || *number < 1 || *number > *of || *of > most)
+    throw std::invalid_argument("part = " + text +
+                                " is not allowed: it must be I/N with I from 1 to N and N up to "
+                                "1000000");
+  return Part{static_cast<long>(*number), static_cast<long>(*of)};
+}
+
+int open_table(const std::string& file) {
+  if (!file.empty() && file != "-") {
+    const int input = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (input < 0)
+      throw std::invalid_argument("cannot read the table " + file + ": " +
+                                  std::generic_category().message(errno));
+    return input;
+  }
+  if (isatty(STDIN_FILENO) != 0)
+    std::fputs("thermoroll: note: the table is read from the terminal (see sweep --help)\n",
+               stderr);
+  return STDIN_FILENO;
+}
+
+void check_files(const Options& o) {
+  const bool is_file = !o.table.empty() && o.table != "-";
+  if (!o.part.empty() && !is_file)
+    throw std::invalid_argument("--part needs the table as a file: thermoroll sweep TABLE --part " +
+                                o.part);
+  if (!o.resume.empty() && !o.output.empty())
+    throw std::invalid_argument("--output and --resume exclude each other");
+  if (!o.package.empty() && (!o.part.empty() || (o.output + o.resume).empty() || o.output == "-"))
+    throw std::invalid_argument("--datapackage describes the results of a whole table in a file");
+  for (const std::string& file : {o.output, o.resume})
+    if (is_file && !file.empty() && file != "-" && same_file(file, o.table))
+      throw std::invalid_argument("the results would replace the table, " + o.table);
+}
+
 void run_sweep(const Options& o) {
   const unsigned processors = std::thread::hardware_concurrency();  // 0 if unknown
   const int jobs = o.jobs.value_or(std::max(1, static_cast<int>(processors)));
   require(1 <= jobs && jobs <= 1024, "jobs", jobs, "from 1 to 1024");
+  check_files(o);
   const bool to_terminal = isatty(STDERR_FILENO) != 0;
-  const SweepCount rows = sweep(STDIN_FILENO, jobs, to_terminal && isatty(STDOUT_FILENO) == 0);
+  const bool to_file = isatty(STDOUT_FILENO) == 0 || !(o.output + o.resume).empty();
+  const SweepRequest request{
+      open_table(o.table), o.of_table,        o.output, o.resume,
+      o.package,           read_part(o.part), jobs,     to_terminal && to_file};
+  const SweepCount rows = sweep(request);
   if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
   if (rows.failed > 0)
     throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
@@ -280,7 +348,9 @@ void add_format(CLI::App& command, Options& o) {
 }
 
 void add_output(CLI::App& command, Options& o) {
-  command.add_option("--output", o.output, "write to this file, all or nothing")->type_name("FILE");
+  command.add_option("--output", o.output, "write to this file, all or nothing")
+      ->type_name("FILE")
+      ->check(file_name("output"));
   command.add_flag("--verbose", o.verbose, "tell the time taken on standard error");
 }
 
@@ -289,7 +359,12 @@ void add_solve(CLI::App& program, Options& o) {
   add_scene_options(command, o.of_scene);
   add_format(command, o);
   command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(file_name("profile"));
+  command
+      .add_option("--profile-points", o.profile_points, "2 to 100000; the solver's unless given")
+      ->type_name("NUMBER")
+      ->check(whole_number("profile-points"));
   command.add_flag("--trace", o.trace, "tell the grids of the coupled solver on standard error");
   add_output(command, o);
 }
@@ -297,19 +372,21 @@ void add_solve(CLI::App& program, Options& o) {
 void add_temperature(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
   add_scene_options(command, o.of_scene);
-  command.add_option("--at", o.at, "s: A:B:N (N points from A to B), a list A,B,..., a number")
-      ->type_name("POINTS")
-      ->required();
-  command.add_option("--depth", o.depth, "depth in units of a, 0 unless given")
-      ->type_name("NUMBER")
-      ->check(finite_number("depth"));
+  command
+      .add_option(
+          "--at", o.at,
+          "s: A:B:N (N points from A to B), a list A,B,..., a number; -1.5:4:551 unless given")
+      ->type_name("POINTS");
+  command.add_option("--depth", o.depth, "depths in units of a, as --at; 0 unless given")
+      ->type_name("POINTS");
   add_output(command, o);
 }
 
 void add_all_creeps(CLI::App& command, Options& o) {
   add_scene_options(command, o.of_scene);
-  for (const char* name : {"--traction", "--creep", "--stick-slip-border", "--direction",
-                           "--branch", "--radius", "--method", "--nodes", "--tolerance"})
+  for (const char* name :
+       {"--traction", "--creep", "--stick-slip-border", "--direction", "--branch", "--radius",
+        "--method", "--nodes", "--tolerance", "--creep-ratio", "--tangential-load"})
     command.remove_option(command.get_option(name));
   command.add_option("--tolerance", o.of_scene.tolerance, "1e-7 to 1e-2; 1e-4 unless given")
       ->type_name("NUMBER")
@@ -340,12 +417,60 @@ void add_creep_law(CLI::App& program, Options& o) {
   add_output(command, o);
 }
 
+void add_table(CLI::App& command, Options& o) {
+  const auto add = [&](const char* name, std::string& value, const char* type,
+                       const char* meaning) {
+    CLI::Option* option = command.add_option(name, value, meaning)->type_name(type);
+    return type == std::string("FILE") ? option->check(file_name(name + 2)) : option;
+  };
+  command.add_option("TABLE", o.table, "a file; standard input if it is - or not given")
+      ->type_name("");
+  add("--columns", o.columns, "A,B,...", "write these columns only, in this order");
+  add("--format", o.rows_format, joined(words(row_format_names), "|").c_str(),
+      "format of the rows, csv unless given")
+      ->check(one_of("format", words(row_format_names)));
+  add("--keep", o.keep, "A,B,...", "columns that are labels, as id is");
+  add("--given", o.of_table.given, "NAME", "of a table with results: the column that prescribes");
+  add("--output", o.output, "FILE", "write to this file, which appears when it is complete");
+  add("--resume", o.resume, "FILE", "append to this file, from the row on where it ends");
+  add("--datapackage", o.package, "FILE", "describe the columns, with units, symbols and errors");
+  add("--part", o.part, "I/N", "the I-th of N parts of the rows; the first has the header");
+}
+
 void add_sweep(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("sweep", "Solve a table of scenes, row by row");
+  add_table(command, o);
   command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
       ->type_name("NUMBER")
       ->check(whole_number("jobs"));
   command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
+  add_scene_options(command, o.of_scene);
+  command.get_option("--friction")->required(false);
+}
+
+std::vector<Setting> settings_given(const CLI::App& command) {
+  SceneOptions none;
+  CLI::App scene;
+  add_scene_options(scene, none);
+  std::vector<Setting> given;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool is_of_scene = name != "--help" && scene.get_option_no_throw(name) != nullptr;
+    if (is_of_scene && option->count() > 0) given.push_back({name.substr(2), option->results()[0]});
+  }
+  return given;
+}
+
+void read_table_options(const CLI::App& command, Options& o) {
+  if (!o.keep.empty()) read_cells(o.keep, o.of_table.keep);
+  if (!o.columns.empty()) read_cells(o.columns, o.of_table.columns);
+  std::replace(o.of_table.given.begin(), o.of_table.given.end(), '_', '-');
+  if (!o.of_table.given.empty() && !is_given_option(o.of_table.given))
+    throw std::invalid_argument("given = " + o.of_table.given +
+                                " is not allowed: it must be traction, creep, stick-slip-border, "
+                                "creep-ratio or tangential-load");
+  o.of_table.format = value_of(row_format_names, o.rows_format);
+  o.of_table.constants = settings_given(command);
 }
 
 void add_figure_data(CLI::App& program, Options& o) {
@@ -354,7 +479,8 @@ void add_figure_data(CLI::App& program, Options& o) {
   command.add_option("NAME", o.name, "which data")->type_name("");
   command.add_flag("--list", o.list, "print the names that there are, in place of data");
   command.add_option("--times", o.times, "data on times, from this output of thermoroll-bench")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(file_name("times"));
   add_output(command, o);
 }
 
@@ -363,6 +489,18 @@ void add_claims(CLI::App& program, Options& o) {
       *program.add_subcommand("claims", "Print the paper's statements beside what was found");
   add_format(command, o);
   add_output(command, o);
+}
+
+void add_help(CLI::App& program, Options& o) {
+  CLI::App& command =
+      *program.add_subcommand("help", "Print the help of the program or of a subcommand");
+  command.add_option("SUBCOMMAND", o.name, "whose help")->type_name("");
+  command.add_option("--format", o.help, "text unless given; a manual page; completion for bash")
+      ->type_name(joined(words(help_format_names), "|"))
+      ->check(one_of("format", words(help_format_names)));
+  command.add_option("--output", o.output, "write to this file, all or nothing")
+      ->type_name("FILE")
+      ->check(file_name("output"));
 }
 
 constexpr const char* solve_examples = R"(Examples:
@@ -375,9 +513,12 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --traction -0.5 --peclet 4360 --heating 0.0175 --roller identical
   thermoroll solve --friction 0.6 --creep 0.5 --peclet 100 --heating 0.0175 \
     --friction-law linear --friction-temperature 0.02
-  thermoroll solve --config wheel.toml --traction 0.4
+  thermoroll solve --friction 0.3 --creep-ratio 0.002 --load 1.2e7 --speed 22.2 --radius 0.46 \
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+  thermoroll solve --config wheel.toml --profile profile.csv --profile-points 401
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
+Errors are estimates, not bounds.
 Methods: auto takes the least of the next three that meets the tolerance; coupled solves tractions
 and heat together; first-order corrects the closed form for the heat once; closed-form leaves out
 what the heat does to the tractions, and asked for by name does not count that in its errors;
@@ -392,22 +533,30 @@ where --bulk-temperature is given. Unless --roller says otherwise, all heat goes
 one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
+  thermoroll sweep scenes.csv --output results.csv
+  thermoroll sweep scenes.csv --columns friction,traction,creep,max_temperature,status
+  thermoroll sweep scenes.csv --tolerance 1e-3 --roller identical --format jsonl --jobs 1
+  thermoroll sweep scenes.csv --part 1/2 --resume part-1.csv
+  thermoroll sweep results.csv --given creep --tolerance 1e-8
   thermoroll sweep <scenes.csv >results.csv
-  thermoroll sweep --jobs 1 <scenes.csv | cut -d, -f1-12
 
 The first row of scenes.csv names the columns: long options of solve, without the dashes, in any
-order. An empty cell leaves its option out. The results have the same rows in the same order: the
-columns given, those of solve --format csv that are not among them, then status and error, which
-say what solve would have said of the row. Where a result has the name of a column that was given,
-it fills the cells that were left empty.)";
+order. An empty cell leaves its option out, and an option of the sweep holds in its place. The
+results have the same rows in the same order: the columns given, those of solve --format csv that
+are not among them, then status and error, which say what solve would have said of the row. Where
+a result has the name of a column that was given, it fills the cells that were left empty. The
+column id, and those that --keep names, are labels. With --resume the same command can be given
+again after it was stopped. Parts joined, in order, are the results of the whole table.)";
 
 constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 100 --at 0,0.5,1 --depth 0.1
-  thermoroll temperature --config wheel.toml --at -1:3:41 --output temperature.csv
+  thermoroll temperature --config wheel.toml --output temperature.csv
+  thermoroll temperature --config wheel.toml --at -1:3:41 --depth 0:0.2:5 --output map.csv
 
-The columns are s, temperature (T*), temperature_celsius (the rise above ambient, for data in SI
-units) and error_estimate (of T*, absolute; empty for gauss-chebyshev). Unless --roller says
+The columns are s, temperature (T*) and error_estimate (of T*, absolute; empty for gauss-chebyshev),
+with depth behind s where there are several. With data in SI units there are x_m, depth_m and
+temperature_celsius (the rise above ambient), each behind its own. Unless --roller says
 otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* creep_curve_examples = R"(Examples:
@@ -444,10 +593,18 @@ constexpr const char* claims_examples = R"(Examples:
 
 As in the paper all heat goes into one body: two steel bodies are about half as hot.)";
 
+constexpr const char* help_examples = R"(Examples:
+  thermoroll help
+  thermoroll help solve
+  thermoroll help --format man --output thermoroll.1
+  thermoroll help --format bash --output thermoroll.bash
+
+make install puts both where man and bash look for them.)";
+
 constexpr const char* program_footer = R"(Examples:
   thermoroll solve --friction 0.6 --traction 0.5 --peclet 4360 --heating 0.0175
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
-  thermoroll sweep <scenes.csv >results.csv
+  thermoroll sweep scenes.csv >results.csv
   thermoroll solve --help
 
 Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not be written);
@@ -455,36 +612,47 @@ Exit status: 0 done; 1 failed (no solution found, not resolved, a file could not
 4 a sweep is complete, but some of its rows have an error; 5 a solution was found, but it is no
 contact: what it violates, and where, is in the result.)";
 
+const Footers footers{{"", program_footer},
+                      {"solve", solve_examples},
+                      {"sweep", sweep_examples},
+                      {"temperature", temperature_examples},
+                      {"creep-curve", creep_curve_examples},
+                      {"law", law_examples},
+                      {"figure-data", figure_data_examples},
+                      {"claims", claims_examples},
+                      {"help", help_examples}};
+
 std::string help(const CLI::App& program) {
-  static const std::map<std::string, const char*> examples{{"solve", solve_examples},
-                                                           {"sweep", sweep_examples},
-                                                           {"temperature", temperature_examples},
-                                                           {"creep-curve", creep_curve_examples},
-                                                           {"law", law_examples},
-                                                           {"figure-data", figure_data_examples},
-                                                           {"claims", claims_examples}};
   const auto commands = program.get_subcommands();
-  const char* footer = commands.empty() ? program_footer : examples.at(commands[0]->get_name());
-  std::string text = program.help() + '\n' + footer + '\n';
+  const std::string name = commands.empty() ? "" : commands[0]->get_name();
+  std::string text = program.help() + '\n' + footers.at(name) + '\n';
   for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
   return text;
 }
 
+std::vector<std::string> with_hyphens(std::vector<std::string> arguments) {
+  for (std::string& argument : arguments)
+    if (argument.find("--") == 0)
+      argument = hyphenated(argument.substr(0, argument.find('='))) +
+                 argument.substr(std::min(argument.find('='), argument.size()));
+  return arguments;
+}
+
 }  // namespace
 
-std::vector<double> read_points(const std::string& text) {
+std::vector<double> read_points(const std::string& name, const std::string& text) {
   const bool grid = text.find(':') != std::string::npos;
   std::vector<double> parts;
   for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
     end = text.find(grid ? ':' : ',', begin);
     const std::optional<double> part = to_number(text.substr(begin, end - begin));
-    if (!part) refuse_points(text);
+    if (!part) refuse_points(name, text);
     parts.push_back(*part);
   }
   if (!grid) return parts;
-  if (parts.size() != 3) refuse_points(text);
+  if (parts.size() != 3) refuse_points(name, text);
   const double n = parts[2];
-  if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(text);
+  if (!(n >= 2 && n <= most_points && n == std::floor(n))) refuse_points(name, text);
   std::vector<double> points(static_cast<std::size_t>(n));
   double i = 0;
   for (double& s : points) s = between(parts[0], parts[1], i++, n - 1);
@@ -498,17 +666,38 @@ Command read_command(const std::vector<std::string>& arguments) {
                            "print the version");
   program.set_config("--config", "", "read a scene from this file (TOML or INI)")
       ->type_name("FILE")
+      ->check(file_name("config"))
       ->check(readable_file());
   program.config_formatter(std::make_shared<SceneFile>(program));
   program.allow_config_extras(CLI::config_extras_mode::error);
   program.require_subcommand(1)->fallthrough();
   for (const auto add : {add_solve, add_sweep, add_temperature, add_creep_curve, add_creep_law,
-                         add_figure_data, add_claims})
+                         add_figure_data, add_claims, add_help})
     add(program, c.options);
   try {
-    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    c.subcommand = program.get_subcommands().front()->get_name();
-  } catch (const CLI::CallForHelp&) {
+    std::vector<std::string> words = with_hyphens(arguments);
+    std::reverse(words.begin(), words.end());
+    program.parse(words);
+    const CLI::App& command = *program.get_subcommands().front();
+    c.subcommand = command.get_name();
+    if (c.subcommand == "help") {
+      const HelpFormat format = value_of(help_format_names, c.options.help);
+      const std::string name = c.options.name, file = c.options.output;
+      if (format != HelpFormat::text && !name.empty())
+        throw std::invalid_argument("--format " + c.options.help +
+                                    " is for the whole program, not " + name);
+      c = {"", {}, "", file};
+      if (format == HelpFormat::man) c.text = manual_page(program, footers, version());
+      if (format == HelpFormat::bash) c.text = bash_completion(program);
+      if (format == HelpFormat::text)
+        c.text = read_command(name.empty() ? std::vector<std::string>{"--help"}
+                                           : std::vector<std::string>{name, "--help"})
+                     .text;
+    }
+    if (c.subcommand == "sweep") read_table_options(command, c.options);
+  } catch (const CLI::CallForHelp& called) {
+    if (program.get_subcommands().empty() && !program.remaining().empty())
+      throw std::invalid_argument(reworded(called, program));
     c.text = help(program);
   } catch (const CLI::CallForVersion& version) {
     c.text = version.what() + std::string("\n");
@@ -519,7 +708,7 @@ Command read_command(const std::vector<std::string>& arguments) {
 }
 
 void run(const Command& c) {
-  if (c.subcommand.empty()) return deliver({{c.text, ""}});
+  if (c.subcommand.empty()) return deliver({{c.text, c.file}});
   static const std::map<std::string, void (*)(const Options&)> runs{
       {"solve", run_solve},
       {"sweep", run_sweep},

@@ -1,13 +1,16 @@
 // Tangled from paper/C-output.md; edit there.
 #include "program/deliver.hpp"
 
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <mutex>
+#include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace thermoroll {
 namespace {
@@ -27,12 +30,6 @@ void write(std::FILE* file, const std::string& text, const std::string& name) {
   if (!whole || !closed) cannot_write(name, whole ? errno : reason);
 }
 
-/// A file to be written: its name as given, that without links, and where it is written until it is
-/// whole. This is empty for a device, which is in its place.
-struct Written {
-  std::string file, target, aside;
-};
-
 /// Create the file aside; null where that cannot be.
 std::FILE* create_beside(Written& x) {
   for (int k = 0;; ++k) {
@@ -44,53 +41,108 @@ std::FILE* create_beside(Written& x) {
   }
 }
 
-void write_aside(Written& x, const std::string& text) {
+/// Null where that cannot be.
+std::FILE* open_aside(Written& x) {
   std::error_code problem;
   const fs::file_status old = fs::status(x.file, problem);
   const bool is_new = old.type() == fs::file_type::not_found;
   if (!is_new && problem) cannot_write(x.file, problem.value());
-  if (!is_new && !fs::is_regular_file(old))
-    return write(std::fopen(x.file.c_str(), "w"), text, x.file);
+  if (!is_new && !fs::is_regular_file(old)) return std::fopen(x.file.c_str(), "w");
   if (!is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
   x.target = fs::weakly_canonical(x.file, problem).string();
   if (problem) cannot_write(x.file, problem.value());
   std::FILE* file = create_beside(x);
   if (file != nullptr && !is_new) fs::permissions(x.aside, old.permissions(), problem);
-  write(file, text, x.file);
+  return file;
 }
 
 void put_in_place(const Written& x) {
   if (std::rename(x.aside.c_str(), x.target.c_str()) != 0) cannot_write(x.file, errno);
 }
 
-void to_output(const std::string& text) {
-  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!whole || std::fflush(stdout) != 0) cannot_write("to standard output", errno);
+void write_at_once(std::FILE* file, const std::string& text, const std::string& name) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (!whole || std::fflush(file) != 0) cannot_write(name, errno);
+}
+
+bool is_output(const std::string& file) { return file.empty() || file == "-"; }
+
+void to_output(const std::string& text) { write_at_once(stdout, text, "to standard output"); }
+
+std::FILE* open_to_append(const std::string& name) {
+  std::error_code none;
+  if (fs::exists(name, none) && !fs::is_regular_file(name, none))
+    throw std::invalid_argument("resume = " + name + " is not allowed: it must be a file");
+  std::FILE* file = std::fopen(name.c_str(), "ab");
+  if (file != nullptr && flock(fileno(file), LOCK_EX | LOCK_NB) != 0)
+    cannot_write(name + ", to which another sweep appends", errno);
+  return file;
 }
 
 }  // namespace
 
 namespace {
 std::timed_mutex writing;
+std::string unfinished;         // the file that grows under a temporary name
+std::atomic<long> counted{-1};  // its rows
+}  // namespace
+
+long rows_written() { return counted; }
+
+bool stop_output(std::chrono::milliseconds longest) {
+  const bool stopped = writing.try_lock_for(longest);
+  if (stopped) std::remove(unfinished.c_str());
+  return stopped;
 }
 
-void print(const std::string& text) {
+Output::Output(const std::string& file, Kind kind) : written_{file, "", ""} {
   const std::lock_guard<std::timed_mutex> whole(writing);
-  to_output(text);
+  counted = 0;
+  if (is_output(file)) return;
+  file_ = kind == Kind::appended ? open_to_append(file) : open_aside(written_);
+  if (file_ == nullptr) cannot_write(file, errno);
+  unfinished = written_.aside;
 }
 
-bool stop_output(std::chrono::milliseconds longest) { return writing.try_lock_for(longest); }
+void Output::put(const std::string& text, long rows) {
+  const std::lock_guard<std::timed_mutex> whole(writing);
+  write_at_once(file_, text, file_ == stdout ? "to standard output" : written_.file);
+  counted += rows;
+}
+
+void Output::cut(std::uintmax_t bytes) {
+  const std::lock_guard<std::timed_mutex> whole(writing);
+  if (ftruncate(fileno(file_), static_cast<off_t>(bytes)) != 0) cannot_write(written_.file, errno);
+}
+
+void Output::finish() {
+  const std::lock_guard<std::timed_mutex> whole(writing);
+  if (file_ == stdout) return;
+  std::FILE* file = std::exchange(file_, stdout);
+  if (std::fclose(file) != 0) cannot_write(written_.file, errno);
+  if (!written_.aside.empty()) put_in_place(written_);
+  written_.aside.clear();
+  unfinished.clear();
+}
+
+Output::~Output() {
+  const std::lock_guard<std::timed_mutex> whole(writing);
+  if (file_ != stdout) std::fclose(file_);
+  std::remove(written_.aside.c_str());  // nothing, if it has none
+  unfinished.clear();
+}
 
 void deliver(const std::vector<Answer>& answers) {
   const std::lock_guard<std::timed_mutex> whole(writing);
-  const auto is_output = [](const Answer& x) { return x.file.empty() || x.file == "-"; };
   std::vector<Written> written;
   try {
+    for (const Answer& answer : answers) {
+      if (is_output(answer.file)) continue;
+      Written& x = written.emplace_back(Written{answer.file, "", ""});
+      write(open_aside(x), answer.text, x.file);
+    }
     for (const Answer& answer : answers)
-      if (!is_output(answer))
-        write_aside(written.emplace_back(Written{answer.file, "", ""}), answer.text);
-    for (const Answer& answer : answers)
-      if (is_output(answer)) to_output(answer.text);
+      if (is_output(answer.file)) to_output(answer.text);
     for (const Written& x : written)
       if (!x.aside.empty()) put_in_place(x);
   } catch (...) {

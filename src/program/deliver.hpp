@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -16,11 +18,37 @@ struct Answer {
 /// standard output or a device stays there). Throws std::system_error.
 void deliver(const std::vector<Answer>& answers);
 
-/// Write to standard output at once. Throws std::system_error.
-void print(const std::string& text);
+/// A file to be written: its name as given, that without links, and where it is written until it is
+/// whole. This is empty for a device, which is in its place.
+struct Written {
+  std::string file, target, aside;
+};
+
+/// A text that is written piece by piece: to standard output if the file is empty or "-", to a file
+/// that appears when it is finished, or behind what a file has. Its functions throw
+/// std::system_error, and std::invalid_argument if it cannot be appended to.
+class Output {
+ public:
+  enum class Kind { whole, appended };
+  Output(const std::string& file, Kind kind);
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  ~Output();
+
+  void put(const std::string& text, long rows = 0);  ///< at once; so many rows
+  void cut(std::uintmax_t bytes);                    ///< keep so much of what it was appended to
+  void finish();
+
+ private:
+  Written written_;
+  std::FILE* file_ = stdout;
+};
+
+/// The rows that the output has so far, after stop_output(); below zero if there is none.
+long rows_written();
 
 /// Wait until nothing is being written, but no longer than this; whether that is so. If it is,
-/// nothing will be written any more.
+/// nothing will be written any more, and a file that has not been finished is removed.
 bool stop_output(std::chrono::milliseconds longest);
 
 }  // namespace thermoroll

@@ -35,7 +35,9 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"max_temperature_celsius", "Tmax", "degree C above ambient",
      &PhysicalResults::max_temperature_celsius},
     {"half_width_over_radius", "a/R", "", &PhysicalResults::half_width_over_radius},
-    {"dissipation", "", "W/m", &PhysicalResults::dissipation}};
+    {"dissipation", "", "W/m", &PhysicalResults::dissipation},
+    {"tangential_load", "Q", "N/m", &PhysicalResults::tangential_load},
+    {"max_temperature_at_m", "x", "m", &PhysicalResults::max_temperature_at_m}};
 
 RollerKind kind_of(const Scene& scene) {
   const Roller& roller = scene.roller;
@@ -226,9 +228,9 @@ std::string csv_cell(const json& value) {
                             : x["what"].get<std::string>() + ' ' + digits(x["from"], 6) + ".." +
                                   digits(x["to"], 6);
     }
-    return quoted(list);
+    return list;
   }
-  return value.is_string() ? quoted(value) : value.dump();
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 void flatten(const json& o, const std::string& prefix, std::vector<Field>& fields) {
@@ -258,6 +260,10 @@ void leave_out(json& o, const MoreColumns& with) {
   if (!with.roller && !with.law) o.erase("full_slip");
   if (!with.bulk && o.contains("physical"))
     erase_keys(o["physical"], {"contact_temperature_celsius"});
+}
+
+std::string in_both(double value, const std::optional<Units>& units, double Units::*unit) {
+  return shortest(value) + ',' + (units ? shortest(value * (*units).*unit) + ',' : "");
 }
 
 struct ProfileColumn {
@@ -394,6 +400,17 @@ json claims_json(const Table& table) {
 
 }  // namespace
 
+ColumnMeaning meaning_of(const std::string& column) {
+  const std::string name = column.substr(column.rfind('.') + 1);
+  const bool physical = column.find("physical.") == 0, error = name != column && !physical;
+  for (const auto& row : physical_rows)
+    if (physical && name == row.name) return {row.symbol, *row.unit == 0 ? "1" : row.unit};
+  if (physical && name == "contact_temperature_celsius") return {"", "degree C"};
+  for (const Reported& row : reported)
+    if (name == row.key) return {error ? "" : row.symbol, "1"};
+  return {"", "1"};
+}
+
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
                               const MoreColumns& with) {
   require_finite(x, physical);
@@ -421,15 +438,20 @@ std::string quoted(std::string text) {
   return '"' + text + '"';
 }
 
-std::string curve_csv(const Curve& curve, const std::optional<Units>& units) {
-  std::string text = "s,temperature,";
-  text += units ? "temperature_celsius,error_estimate\n" : "error_estimate\n";
-  for (const auto& [s, t, error] : curve.points) {
-    if (!std::isfinite(t)) throw NotConverged("no finite temperature found at s = " + shortest(s));
-    text += shortest(s) + ',' + shortest(t) + ',';
-    if (units) text += shortest(t * units->temperature) + ',';
-    text += (error ? shortest(*error) : "") + '\n';
-  }
+std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional<Units>& units) {
+  const bool deep = curves.size() > 1;
+  std::string text = units ? "s,x_m," : "s,";
+  if (deep) text += units ? "depth,depth_m," : "depth,";
+  text += units ? "temperature,temperature_celsius," : "temperature,";
+  text += "error_estimate\n";
+  for (const auto& [depth, curve] : curves)
+    for (const auto& [s, t, error] : curve.points) {
+      if (!std::isfinite(t))
+        throw NotConverged("no finite temperature found at s = " + shortest(s));
+      text += in_both(s, units, &Units::length);
+      if (deep) text += in_both(depth, units, &Units::length);
+      text += in_both(t, units, &Units::temperature) + (error ? shortest(*error) : "") + '\n';
+    }
   return text;
 }
 
@@ -445,11 +467,11 @@ std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
     columns.push_back({"heat_flux_1", "heat_flux_1_w_per_m2", x.heat_flux_1, unit.heat_flux});
     columns.push_back({"heat_flux_2", "heat_flux_2_w_per_m2", x.heat_flux_2, unit.heat_flux});
   }
-  std::string text = "s";
+  std::string text = units ? "s,x_m" : "s";
   for (const ProfileColumn& c : columns)
     text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");
   for (Eigen::Index i = 0; i < x.s.size(); ++i) {
-    text += '\n' + shortest(x.s(i));
+    text += '\n' + shortest(x.s(i)) + (units ? ',' + shortest(x.s(i) * unit.length) : "");
     for (const ProfileColumn& c : columns)
       text += ',' + shortest(c.values(i)) + (units ? ',' + shortest(c.values(i) * c.unit) : "");
   }
@@ -466,7 +488,7 @@ std::string present(const Solution& x, const std::optional<FoundInSi>& physical,
   for (const Field& field : csv_fields(x, physical, with)) {
     const char* comma = header.empty() ? "" : ",";
     header.append(comma).append(field.name);
-    cells.append(comma).append(field.cell);
+    cells.append(comma).append(quoted(field.cell));
   }
   return header + '\n' + cells + '\n';
 }

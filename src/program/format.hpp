@@ -14,7 +14,7 @@ namespace thermoroll {
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
 std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format);
 
-/// A column's name and a row's cell in it.
+/// A column's name and a row's cell in it, not yet quoted.
 struct Field {
   std::string name, cell;
 };
@@ -31,15 +31,27 @@ struct MoreColumns {
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
                               const MoreColumns& with);
 
+/// The symbol, if it has one, and the unit of a column of numbers; "1" if it is dimensionless.
+struct ColumnMeaning {
+  std::string symbol, unit;
+};
+ColumnMeaning meaning_of(const std::string& column);
+
 /// A text as a cell of CSV: between quotes where it must be.
 std::string quoted(std::string text);
 
 /// The table of claims in a format.
 std::string present(const std::vector<Claim>& claims, Format format);
 
-/// A temperature curve as CSV, with a column for degree C above ambient if the units are known.
-/// Throws NotConverged where a temperature is not finite.
-std::string curve_csv(const Curve& curve, const std::optional<Units>& units);
+/// A temperature curve, and its depth in units of a.
+struct DepthCurve {
+  double depth;
+  Curve curve;
+};
+
+/// Temperature curves as CSV, with columns for m and degree C above ambient if the units are known,
+/// and for the depth if there are several. Throws NotConverged where a temperature is not finite.
+std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional<Units>& units);
 
 /// A profile as CSV, with SI columns beside the dimensionless ones if the units are known.
 std::string profile_csv(const Profile& x, const std::optional<Units>& units);

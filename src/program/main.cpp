@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <string>
 #include <thread>
 
 #include "program/command.hpp"
@@ -22,7 +23,10 @@ void await_signal(const sigset_t& signals) {
   sigwait(&signals, &signal);
   stop_output(std::chrono::seconds(1));
   const char* line_end = isatty(STDERR_FILENO) != 0 ? "\n" : "";  // the terminal shows ^C
-  std::fprintf(stderr, "%sthermoroll: stopped by a signal: %s\n", line_end, strsignal(signal));
+  const std::string rows =
+      rows_written() < 0 ? "" : ", after " + std::to_string(rows_written()) + " rows";
+  std::fprintf(stderr, "%sthermoroll: stopped by a signal: %s%s\n", line_end, strsignal(signal),
+               rows.c_str());
   std::signal(signal, SIG_DFL);
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   std::raise(signal);

@@ -50,6 +50,14 @@ enum class Format { text, json, csv };
 inline constexpr Name<Format> format_names[] = {
     {"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}};
 
+enum class HelpFormat { text, man, bash };
+inline constexpr Name<HelpFormat> help_format_names[] = {
+    {"text", HelpFormat::text}, {"man", HelpFormat::man}, {"bash", HelpFormat::bash}};
+
+enum class RowFormat { csv, jsonl };
+inline constexpr Name<RowFormat> row_format_names[] = {{"csv", RowFormat::csv},
+                                                       {"jsonl", RowFormat::jsonl}};
+
 /// The value of a word that is one of the names.
 template <class T, std::size_t n>
 T value_of(const Name<T> (&names)[n], const std::string& word) {

@@ -87,12 +87,22 @@ constexpr SceneOption given_options[] = {
     {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), of the same sign",
      &SceneOptions::creep},
     {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
-     &SceneOptions::border}};
+     &SceneOptions::border},
+    {"--creep-ratio", "NUMBER", "in place of it, with SI data: creep xi as a fraction of the speed",
+     &SceneOptions::creep_ratio},
+    {"--tangential-load", "N/m", "in place of it, with SI data: load Q, between -f P and f P",
+     &SceneOptions::tangential_load}};
+
+template <std::size_t n>
+bool is_in(const SceneOption (&options)[n], const std::string& name) {
+  return std::any_of(std::begin(options), std::end(options),
+                     [&](const SceneOption& option) { return option.name == "--" + name; });
+}
 
 void declare(CLI::App& command, SceneOptions& o, const SceneOption& option, const char* group) {
   command.add_option(option.name, o.*option.value, option.meaning)
       ->type_name(option.unit)
-      ->check(finite_number(option.name + 2))
+      ->check(finite_number(option.name + 2, option.unit))
       ->group(group);
 }
 
@@ -153,23 +163,42 @@ Approach read_approach(const SceneOptions& o) {
   return a;
 }
 
-Prescribed read_given(const SceneOptions& o) {
-  if (o.traction.has_value() + o.creep.has_value() + o.border.has_value() != 1)
+const SceneOption& given_option(const SceneOptions& o) {
+  const auto is_given = [&](const SceneOption& option) { return (o.*option.value).has_value(); };
+  const bool si = o.load || o.creep_ratio || o.tangential_load;
+  if (std::count_if(std::begin(given_options), std::end(given_options), is_given) != 1)
     throw std::invalid_argument(
-        "exactly one of --traction, --creep and --stick-slip-border is needed");
+        si ? "exactly one of --traction, --creep, --stick-slip-border, --creep-ratio and "
+             "--tangential-load is needed"
+           : "exactly one of --traction, --creep and --stick-slip-border is needed");
+  return *std::find_if(std::begin(given_options), std::end(given_options), is_given);
+}
+
+Prescribed read_given(const SceneOptions& o) {
+  const double value = *(o.*given_option(o).value);
   const Branch branch = o.branch.empty() ? Branch::rising : value_of(branch_names, o.branch);
-  if (o.traction) return {Quantity::traction, *o.traction, branch};
-  return o.creep ? Prescribed{Quantity::creep, *o.creep}
-                 : Prescribed{Quantity::stick_slip_border, *o.border};
+  if (o.traction) return {Quantity::traction, value, branch};
+  if (o.tangential_load) return {Quantity::traction, value / o.load.value_or(1), branch};
+  return {o.border ? Quantity::stick_slip_border : Quantity::creep, value};
+}
+
+void check_given_in_si(const SceneOptions& o, bool si) {
+  if (!si && (o.creep_ratio || o.tangential_load))
+    throw std::invalid_argument(std::string("for data in SI units only: ") + given_option(o).name);
+  const double most = o.friction * o.load.value_or(0);
+  if (!o.tangential_load || !(most > 0) || value_of(law_names, o.friction_law)) return;
+  require(std::abs(*o.tangential_load) <= most, "tangential-load", *o.tangential_load,
+          "between -" + shortest(most) + " and " + shortest(most) + " N/m, friction times load");
 }
 
 Direction read_direction(const SceneOptions& o, const Prescribed& given) {
   const bool has_sign = given.quantity != Quantity::stick_slip_border;
   if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
   const Direction direction = value_of(direction_names, o.direction);
+  const SceneOption& option = given_option(o);
   if (has_sign && given.value * sign_of(direction) < 0)
-    throw std::invalid_argument("--direction " + o.direction + " contradicts " +
-                                (o.traction ? "--traction " : "--creep ") + shortest(given.value) +
+    throw std::invalid_argument("--direction " + o.direction + " contradicts " + option.name + ' ' +
+                                shortest(*(o.*option.value)) +
                                 ": it is positive for driving and negative for braking");
   return direction;
 }
@@ -231,7 +260,7 @@ void check_law_options(const SceneOptions& o, bool si) {
   if (!constant && !o.friction_temperature)
     throw std::invalid_argument("--friction-law " + o.friction_law +
                                 " lacks --friction-temperature");
-  if (!branch.empty() && !o.traction)
+  if (!branch.empty() && !o.traction && !o.tangential_load)
     throw std::invalid_argument(
         "--branch is for a given traction: a creep or a border has one solution");
   if (const std::string bulk = those(bulk_options, o, true); !si && !bulk.empty())
@@ -266,31 +295,77 @@ CLI::Validator allow(const std::string& name, Condition condition, const std::st
       ""};
 }
 
-/// The name of the first option of the program and the subcommand that is run, for which this
-/// holds.
-template <class Condition>
-std::string first_option(const CLI::App& app, Condition holds) {
-  std::vector<const CLI::App*> apps{&app};
-  for (const CLI::App* command : app.get_subcommands()) apps.push_back(command);
-  for (const CLI::App* one : apps)
-    for (const CLI::Option* option : one->get_options())
-      if (holds(*option)) return option->get_name();
-  return "";
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      d[i][j] = i + j;
+      if (i == 0 || j == 0) continue;
+      const std::size_t other = a[i - 1] == b[j - 1] ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + other});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d.back().back();
 }
 
-std::string or_else(const std::string& text, const std::string& other) {
-  return text.empty() ? other : text;
+/// The options of the program and of the subcommand that is run.
+std::vector<const CLI::Option*> all_options(const CLI::App& app) {
+  std::vector<const CLI::Option*> all = app.get_options();
+  for (const CLI::App* command : app.get_subcommands())
+    for (const CLI::Option* option : command->get_options()) all.push_back(option);
+  return all;
+}
+
+/// The first of them for which this holds; null if there is none.
+template <class Condition>
+const CLI::Option* first_option(const CLI::App& app, Condition holds) {
+  for (const CLI::Option* option : all_options(app))
+    if (holds(*option)) return option;
+  return nullptr;
+}
+
+std::string name_or(const CLI::Option* option, const std::string& other) {
+  return option == nullptr ? other : option->get_name();
+}
+
+std::string meant(const std::string& word, const CLI::App& app) {
+  std::vector<std::string> names;
+  if (word.find("--") == 0)
+    for (const CLI::Option* option : all_options(app)) names.push_back(option->get_name());
+  else if (app.get_subcommands().empty())
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string name = nearest(word.substr(0, word.find('=')), names);
+  return name.empty() ? " (see --help)" : " (did you mean " + name + "?)";
 }
 
 }  // namespace
 
 bool is_si_option(const std::string& name) {
-  const auto is_in = [&](const auto& options) {
-    return std::any_of(std::begin(options), std::end(options),
-                       [&](const SceneOption& option) { return option.name == "--" + name; });
-  };
-  return is_in(si_options) || is_in(size_options) || is_in(roller_si_options) ||
-         is_in(roller_diffusivity) || is_in(bulk_options);
+  return is_in(si_options, name) || is_in(size_options, name) || is_in(roller_si_options, name) ||
+         is_in(roller_diffusivity, name) || is_in(bulk_options, name) || name == "creep-ratio" ||
+         name == "tangential-load";
+}
+
+bool is_group_option(const std::string& name) {
+  return is_in(group_options, name) || is_in(roller_group_options, name) ||
+         is_in(roller_peclet, name) || is_in(bulk_group_options, name);
+}
+
+bool is_roller_option(const std::string& name) {
+  return is_in(roller_group_options, name) || is_in(roller_peclet, name) ||
+         is_in(roller_si_options, name) || is_in(roller_diffusivity, name);
+}
+
+bool is_given_option(const std::string& name) { return is_in(given_options, name); }
+
+std::string unit_of_option(const std::string& name) {
+  SceneOptions none;
+  CLI::App scene;
+  add_scene_options(scene, none);
+  const CLI::Option* option = name.empty() ? nullptr : scene.get_option_no_throw("--" + name);
+  const std::string unit = option == nullptr ? "" : option->get_type_name();
+  return unit == "NUMBER" ? "1" : unit;
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& o) {
@@ -322,6 +397,7 @@ GivenScene read_scene(const SceneOptions& o) {
   const std::string missing = those(si_options, o, false);
   const Approach approach = read_approach(o);
   const Prescribed x = read_given(o);
+  check_given_in_si(o, !given.empty());
   const Direction direction = read_direction(o, x);
   const std::optional<LawOfFriction> law = read_law(o, !given.empty());
   if (given.empty()) {
@@ -343,27 +419,39 @@ GivenScene read_scene(const SceneOptions& o) {
   si.bulk_temperature = o.bulk_temperature;
   si.bulk_temperature_2 = o.bulk_temperature_2;
   si.law = law;
-  return {{o.friction, 0, 0}, x, approach, si, o.radius};
+  GivenScene scene{{o.friction, 0, 0}, x, approach, si, o.radius};
+  const SceneOption& option = given_option(o);
+  if (o.creep_ratio) scene.unit = CreepUnit::ratio;
+  if (o.creep_ratio || o.tangential_load)
+    scene.as_given = std::string(option.name + 2) + " = " + shortest(*(o.*option.value));
+  return scene;
 }
 
-SolvedScene solve_scene(const GivenScene& c) {
-  std::optional<PhysicalScene> physical = c.physical;
-  Scene scene = c.scene;
+SolvedScene solve_scene(const GivenScene& c) try {
+  if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
+  PhysicalScene si = *c.physical;
+  const double friction = c.scene.friction;
   if (c.radius)
-    physical->half_width =
-        half_width_of_radius(*physical, *c.radius, scene.friction, c.given, c.approach);
-  if (physical) {
-    check(*physical);
-    scene = scene_of(*physical, scene.friction);
-  }
-  const Solution x = solve(scene, c.given, c.approach);
-  if (!physical) return {x, {}, {}};
-  return {x, units_of(*physical, scene.friction), in_si_units(x, *physical, c.radius.has_value())};
+    si.half_width = half_width_of_radius(si, *c.radius, friction, c.given, c.approach, c.unit);
+  check(si);
+  const Prescribed given = dimensionless(si, c.given, c.unit);
+  const Solution x = solve(scene_of(si, friction), given, c.approach);
+  return {x, units_of(si, friction), in_si_units(x, si, c.radius.has_value(), c.unit)};
+} catch (const std::invalid_argument& refusal) {
+  const std::string text = refusal.what();
+  const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
+  if (c.as_given.empty() || !about_it) throw;
+  throw std::invalid_argument(c.as_given + ": " + text);
 }
 
-CLI::Validator finite_number(const std::string& name) {
+CLI::Validator finite_number(const std::string& name, const std::string& unit) {
+  const auto is_number = [](const std::string& text) { return to_number(text).has_value(); };
+  return allow(name, is_number, "a finite number" + (unit == "NUMBER" ? "" : " in " + unit));
+}
+
+CLI::Validator file_name(const std::string& name) {
   return allow(
-      name, [](const std::string& text) { return to_number(text).has_value(); }, "a finite number");
+      name, [](const std::string& text) { return !text.empty(); }, "the name of a file");
 }
 
 CLI::Validator whole_number(const std::string& name) {
@@ -388,6 +476,11 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
+std::string hyphenated(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
 std::optional<double> to_number(const std::string& text) {
   char* end = nullptr;
   const double x = std::strtod(text.c_str(), &end);
@@ -395,17 +488,34 @@ std::optional<double> to_number(const std::string& text) {
   return x;
 }
 
+std::string nearest(const std::string& word, const std::vector<std::string>& names) {
+  std::string found;
+  std::size_t most = word.size() < 3 ? 0 : std::max<std::size_t>(1, word.size() / 5);
+  for (const std::string& name : names) {
+    if (name.size() > word.size() + most || word.size() > name.size() + most) continue;
+    const std::size_t distance = edit_distance(word, name);
+    if (distance > most || (distance == most && !found.empty())) continue;
+    found = name;
+    most = distance;
+  }
+  return found;
+}
+
 std::string reworded(const CLI::ParseError& error, const CLI::App& app) {
   const std::vector<std::string> unclaimed = app.remaining(true);
-  if (!unclaimed.empty()) return "unexpected " + unclaimed.front() + " (see --help)";
+  if (!unclaimed.empty()) return "unexpected " + unclaimed.front() + meant(unclaimed.front(), app);
   const std::string text = error.what();
-  const auto is_named = [&](const CLI::Option& x) { return text.find(x.get_name()) == 0; };
+  const std::string first = text.substr(0, text.find_first_of(": "));
+  const auto is_named = [&](const CLI::Option& x) { return x.get_name() == first; };
   const auto is_missing = [](const CLI::Option& x) { return x.get_required() && x.count() == 0; };
   const auto kind = static_cast<CLI::ExitCodes>(error.get_exit_code());
-  if (kind == CLI::ExitCodes::ArgumentMismatch)
-    return or_else(first_option(app, is_named), "an option") + " needs exactly one value";
+  if (kind == CLI::ExitCodes::ArgumentMismatch) {
+    const CLI::Option* option = first_option(app, is_named);
+    const bool again = option != nullptr && option->count() > 1;
+    return name_or(option, "an option") + (again ? " is given twice" : " needs exactly one value");
+  }
   if (kind == CLI::ExitCodes::RequiredError)
-    return or_else(first_option(app, is_missing), "A subcommand") + " is required (see --help)";
+    return name_or(first_option(app, is_missing), "A subcommand") + " is required (see --help)";
   return text + " (see --help)";
 }
 

@@ -20,7 +20,7 @@ using Maybe = std::optional<double>;
 
 struct SceneOptions {
   double friction = 0;
-  Maybe traction, creep, border;
+  Maybe traction, creep, border, creep_ratio, tangential_load;
   Maybe peclet, heating;
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
   Maybe half_width, radius;
@@ -38,8 +38,15 @@ struct SceneOptions {
 /// Declare the options of a scene, which CLI11 will write to o.
 void add_scene_options(CLI::App& command, SceneOptions& o);
 
-/// Whether an option, named without its hyphens, stands for data in SI units.
+/// Whether an option, named without its hyphens, stands for data in SI units; for a dimensionless
+/// group in their place; for data of the roller; or for one of the quantities that prescribe.
 bool is_si_option(const std::string& name);
+bool is_group_option(const std::string& name);
+bool is_roller_option(const std::string& name);
+bool is_given_option(const std::string& name);
+
+/// The unit of an option that is a number, "1" if it has none; empty if there is no such option.
+std::string unit_of_option(const std::string& name);
 
 /// The scene as given. In SI units, peclet and heating are not known yet, and half_width is not if
 /// a radius is given. Its traction counts only if that is given.
@@ -49,6 +56,8 @@ struct GivenScene {
   Approach approach;
   std::optional<PhysicalScene> physical;
   Maybe radius;
+  CreepUnit unit = CreepUnit::scaled;
+  std::string as_given{};  ///< of a quantity that is given in SI units, "tangential-load = 6e+06"
 };
 
 /// The scene that the options describe. Throws std::invalid_argument.
@@ -67,11 +76,19 @@ SolvedScene solve_scene(const GivenScene& c);
 /// The number that a text is as a whole, if it is finite.
 std::optional<double> to_number(const std::string& text);
 
-/// Validators for the texts of numbers and words, given to the option of this name. They throw
-/// std::invalid_argument.
-CLI::Validator finite_number(const std::string& name);
+/// Validators for the texts of numbers, in a unit, and words, given to the option of this name.
+/// They throw std::invalid_argument.
+CLI::Validator finite_number(const std::string& name, const std::string& unit = "NUMBER");
 CLI::Validator whole_number(const std::string& name);
+CLI::Validator file_name(const std::string& name);
 CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words);
+
+/// The name that is nearest to a word by the distance of @eq:edit-distance, or the first such name;
+/// empty if none is near enough to be meant, which is a fifth of the word's letters.
+std::string nearest(const std::string& word, const std::vector<std::string>& names);
+
+/// A name with hyphens for underscores.
+std::string hyphenated(std::string name);
 
 /// Words with a text between any two of them.
 std::string joined(const std::vector<std::string>& words, const std::string& between);

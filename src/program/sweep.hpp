@@ -2,13 +2,28 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "program/format.hpp"
-#include "program/scene_options.hpp"
+#include "program/table.hpp"
 
 namespace thermoroll {
+
+/// The part of this number, from 1, of so many.
+struct Part {
+  long number, of;
+};
+
+/// A table to sweep, and where its results go.
+struct SweepRequest {
+  int input = 0;  ///< the file descriptor that it is read from
+  TableOptions table{};
+  std::string output{}, resume{};  ///< a file that is whole, or one that is appended to
+  std::string package{};           ///< a data package that describes it
+  std::optional<Part> part{};
+  int jobs = 1;           ///< threads
+  bool progress = false;  ///< whether it is told on standard error
+};
 
 /// The progress of a sweep.
 struct SweepCount {
@@ -16,37 +31,12 @@ struct SweepCount {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
-/// Solve the table that is read from a file descriptor and print it with its results, by so many
-/// threads; with progress, tell of it on standard error. Throws std::invalid_argument for a header
-/// that is of no use, std::system_error where reading, writing or starting a thread fails.
-SweepCount sweep(int file, int jobs, bool progress);
+/// Solve a table and write it with its results. Throws std::invalid_argument for a header or a file
+/// to resume that is of no use, std::system_error where reading, writing or starting a thread
+/// fails.
+SweepCount sweep(const SweepRequest& request);
 
 /// Rows and errors, rows per second, and the most memory that the process had so far.
 std::string summary(const SweepCount& x);
-
-/// The columns of a table: those read, and the names of the fields that a solved row has.
-struct SweepTable {
-  std::vector<std::string> columns, fields;
-  MoreColumns with{};
-};
-
-/// The columns of a table with this header. Throws std::invalid_argument.
-SweepTable table_of(const std::string& header);
-
-/// The cells of a line, without what surrounds them.
-std::vector<std::string> cells_of(const std::string& line);
-
-/// The scene in the cells of a row. Throws std::invalid_argument.
-SceneOptions read_row(const std::vector<std::string>& columns,
-                      const std::vector<std::string>& cells);
-
-/// A row of results and whether it is without an error.
-struct SweepRow {
-  std::string text;
-  bool solved;
-};
-
-/// A line of the table, solved.
-SweepRow answer(const SweepTable& table, const std::string& line);
 
 }  // namespace thermoroll

@@ -1,6 +1,8 @@
 // Tangled from paper/A-one-answer.md; edit there.
 #include "solver/curves.hpp"
 
+#include <algorithm>
+
 #include "solver/nodes.hpp"
 
 namespace thermoroll {
@@ -27,6 +29,35 @@ Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double fric
   y.stick_bound = friction * bound;
   y.stick_traction = y.stick_bound - (left * z.d).sqrt() * (q * by.bracket).array();
   y.heat_flux = by.slip * (z.t * (1 - z.t)).sqrt() * (p * by.h).array();
+  const Eigen::ArrayXd left_root = by.slip * z.t / (by.stick + by.slip * z.t);
+  const Eigen::VectorXd& slips = by.bound.size() > 0 ? by.bound : by.pressure;
+  y.slip = (p * by.h).array() / (p * slips).array();
+  if (by.stick > 0) y.slip *= left_root.sqrt();
+  return y;
+}
+
+Profile profile_at(const CoupledSolution& x, const PlotPoints& at) {
+  constexpr Eigen::Index block = 1000;
+  const SmoothTractions by = smooth_tractions(x, x.unknowns);
+  const Eigen::Index m = at.stick.size(), n = at.slip.size();
+  const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(m + n);
+  Profile y{none, none, none, none, none, none};
+  for (Eigen::Index from = 0; from < m; from += block) {
+    const Eigen::Index count = std::min(block, m - from);
+    const Curves part = curves_at(at.stick.segment(from, count), by, x.scene.friction);
+    y.s.segment(from, count) = part.stick_at;
+    y.pressure.segment(from, count) = part.stick_pressure;
+    y.traction.segment(from, count) = part.stick_traction;
+  }
+  for (Eigen::Index from = 0; from < n; from += block) {
+    const Eigen::Index count = std::min(block, n - from);
+    const Curves part = curves_at(at.slip.segment(from, count), by, x.scene.friction);
+    y.s.segment(m + from, count) = part.slip_at;
+    y.pressure.segment(m + from, count) = part.slip_pressure;
+    y.traction.segment(m + from, count) = part.slip_traction;
+    y.slip.segment(m + from, count) = part.slip;
+    y.heat_flux.segment(m + from, count) = part.heat_flux;
+  }
   return y;
 }
 

@@ -7,14 +7,23 @@
 
 namespace thermoroll {
 
-/// Positions, pressures, tractions and their bounds on both zones, and the heat flux on the slip
-/// zone, where the traction is its bound.
+/// Positions, pressures, tractions and their bounds on both zones, and the slip velocity and heat
+/// flux on the slip zone, where the traction is its bound.
 struct Curves {
-  Eigen::ArrayXd slip_at, slip_pressure, slip_traction, heat_flux;
+  Eigen::ArrayXd slip_at, slip_pressure, slip_traction, slip, heat_flux;
   Eigen::ArrayXd stick_at, stick_pressure, stick_traction, stick_bound;
 };
 
 /// The curves at -1 <= x <= 1, the variable of each zone, at -1 of which is the border.
 Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction);
+
+/// Points in the variables of @lst:curves-code: those of the stick zone descend from the leading
+/// edge, without the border, and those of the slip zone ascend.
+struct PlotPoints {
+  Eigen::ArrayXd stick, slip;
+};
+
+/// The profiles of a solution at these points, with zeros for the temperature.
+Profile profile_at(const CoupledSolution& x, const PlotPoints& at);
 
 }  // namespace thermoroll

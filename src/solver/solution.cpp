@@ -178,14 +178,36 @@ Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::ve
   return curve;
 }
 
-Eigen::ArrayXd carter_points(const Carter& c, Eigen::Index zone) {
-  const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(zone + 1, 0, pi / 2);
-  Eigen::ArrayXd s(2 * zone + 1);
-  s.tail(zone + 1) = c.c0 + 2 * c.slip_half_width * angle.sin().square();
-  s.head(zone + 1) = -1 + 2 * c.b * angle.sin().square();
-  s(zone) = c.c0;
-  s(2 * zone) = 1;
+/// How many intervals lie between the points in each zone.
+struct Intervals {
+  Eigen::Index stick, slip;
+};
+
+Eigen::ArrayXd carter_points(const Carter& c, const Intervals& of) {
+  const auto shares = [](Eigen::Index n) -> Eigen::ArrayXd {
+    return Eigen::ArrayXd::LinSpaced(n + 1, 0, pi / 2).sin().square();
+  };
+  Eigen::ArrayXd s(of.stick + of.slip + 1);
+  s.tail(of.slip + 1) = c.c0 + 2 * c.slip_half_width * shares(of.slip);
+  s.head(of.stick) = -1 + 2 * c.b * shares(of.stick).head(of.stick);
+  s(of.stick) = c.c0;
+  s(of.stick + of.slip) = 1;
   return s;
+}
+
+Intervals plot_intervals(int points, double stick, double slip) {
+  const Eigen::Index all = points - 1;
+  if (stick == 0) return {0, all};
+  return slip == 0 ? Intervals{all, 0} : Intervals{(all + 1) / 2, all / 2};
+}
+
+PlotPoints plot_points(const CoupledSolution& x, int points) {
+  const double slip = x.value(slip_length), stick = 1 + x.value(stick_slip_border);
+  const Intervals of = plot_intervals(points, stick, slip);
+  const double edge = x.scene.bulk_difference == 0 ? 1 : 1 - 1.0 / points;
+  const double border = stick == 0 ? -edge : -1;
+  return {Eigen::ArrayXd::LinSpaced(of.stick + 1, edge, -1).head(of.stick),
+          Eigen::ArrayXd::LinSpaced(of.slip + 1, border, edge)};
 }
 
 void share_heat_flux(const Solution& x, Profile& y) {
@@ -195,13 +217,25 @@ void share_heat_flux(const Solution& x, Profile& y) {
   y.heat_flux_2 = y.heat_flux - y.heat_flux_1;
 }
 
-Profile carter_profile(const Scene& scene, const Carter& c) {
-  constexpr Eigen::Index zone = 100;  // intervals to each zone
-  const bool slips = c.slip_half_width > 0;
-  const Eigen::ArrayXd points = carter_points(c, zone);
-  const Eigen::ArrayXd s = slips ? points : Eigen::ArrayXd(points.head(zone + 1));
+void require_profile(const Solution& x) {
+  if (std::holds_alternative<PublishedSolution>(x.found))
+    throw std::invalid_argument(
+        "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
+        "temperature is infinite");
+}
+
+Profile finished(const Solution& x, Profile y) {
+  if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
+  if (x.scene.direction == Direction::braking) {
+    y.traction *= -1;
+    y.slip *= -1;
+  }
+  return y;
+}
+
+Profile carter_profile(const Scene& scene, const Carter& c, const Eigen::ArrayXd& s) {
   Profile x{s, s, s, s, s, 0 * s};
-  if (slips)
+  if (c.slip_half_width > 0)
     x.temperature =
         heat_share(scene) * surface_curve(smooth_flux(c), Conduction(scene), s, 1e-9).temperature;
   for (Eigen::Index i = 0; i < s.size(); ++i) {
@@ -282,6 +316,8 @@ PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit
   y.max_heat_flux = peak.heat_flux * unit.heat_flux;
   y.max_temperature_celsius = x(max_temperature) * unit.temperature;
   y.dissipation = x(heat_integral) * unit.heat_flux * si.half_width;
+  y.tangential_load = x(traction) * si.load;
+  y.max_temperature_at_m = x(max_temperature_at) * si.half_width;
   return y;
 }
 
@@ -329,21 +365,6 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   return x;
 }
 
-Profile profile(const Solution& x) {
-  if (std::holds_alternative<PublishedSolution>(x.found))
-    throw std::invalid_argument(
-        "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
-        "temperature is infinite");
-  const auto* found = std::get_if<CoupledSolution>(&x.found);
-  Profile y = found ? profile(*found) : carter_profile(x.scene, std::get<Carter>(x.found));
-  if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
-  if (x.scene.direction == Direction::braking) {
-    y.traction *= -1;
-    y.slip *= -1;
-  }
-  return y;
-}
-
 Peaks largest(const SmoothTractions& by, double friction) {
   const Eigen::Index points = 4 * std::max(by.h.size(), by.bracket.size()) + 1;
   const auto highest = [&](Eigen::ArrayXd Curves::*what) {
@@ -377,7 +398,13 @@ FoundPeaks peaks(const Solution& x) {
   return found;
 }
 
-FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius) {
+Prescribed dimensionless(const PhysicalScene& si, const Prescribed& given, CreepUnit unit) {
+  if (unit == CreepUnit::scaled || given.quantity != creep) return given;
+  return {creep, given.value * si.speed / units_of(si, 1).slip};
+}
+
+FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius,
+                      CreepUnit given) {
   const Units unit = units_of(si, x.scene.friction);
   const FoundPeaks peak = peaks(x);
   const double hertz =
@@ -404,6 +431,10 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
         &PhysicalResults::max_heat_flux, &PhysicalResults::max_temperature_celsius,
         &PhysicalResults::dissipation})
     error.*field += 2 * of_size * std::abs(y.value.*field);
+  error.max_temperature_at_m += 2 * of_size * y.value.half_width;
+  if ((*x.error)(traction) > 0)
+    error.tangential_load += 2 * of_size * std::abs(y.value.tangential_load);
+  if (given == CreepUnit::ratio) error.creep_ratio = 0;
   return y;
 }
 
@@ -417,14 +448,15 @@ void require_contact(const Solution& x) {
 }
 
 double half_width_of_radius(PhysicalScene si, double radius, double friction,
-                            const Prescribed& given, const Approach& approach) {
+                            const Prescribed& given, const Approach& approach, CreepUnit unit) {
   require(radius > 0, "radius", radius, "positive");
   check_but_half_width(si);
   double kappa = 1;
   for (int step = 0; step < 50 && kappa > 0; ++step) {
     const double before = kappa;
     si.half_width = hertz_half_width(kappa * si.load, radius, si.shear_modulus, si.poisson);
-    const Solution x = solve(scene_of(si, friction), given, approach);
+    const Prescribed now = dimensionless(si, given, unit);
+    const Solution x = solve(scene_of(si, friction), now, approach);
     kappa = x.value(load_ratio);
     const double error = x.error ? (*x.error)(load_ratio) : 0;
     if (std::abs(kappa - before) <= 1e-9 * before + error) return si.half_width;
@@ -467,6 +499,34 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     }
   }
   return curve;
+}
+
+Profile profile(const Solution& x) {
+  require_profile(x);
+  const auto* found = std::get_if<CoupledSolution>(&x.found);
+  if (found != nullptr) return finished(x, profile(*found));
+  constexpr Eigen::Index zone = 100;  // intervals to each zone
+  const auto& c = std::get<Carter>(x.found);
+  const Intervals of{zone, c.slip_half_width > 0 ? zone : 0};
+  return finished(x, carter_profile(x.scene, c, carter_points(c, of)));
+}
+
+Profile profile(const Solution& x, int points) {
+  require_profile(x);
+  require(2 <= points && points <= 100000, "profile-points", points, "from 2 to 100000");
+  const auto* found = std::get_if<CoupledSolution>(&x.found);
+  if (found == nullptr) {
+    const auto& c = std::get<Carter>(x.found);
+    const Intervals of = plot_intervals(points, c.b, c.slip_half_width);
+    return finished(x, carter_profile(x.scene, c, carter_points(c, of)));
+  }
+  Profile y = profile_at(*found, plot_points(*found, points));
+  if (x.scene.bulk_difference == 0) y.s(0) = -1;
+  if (x.scene.bulk_difference == 0) y.s(y.s.size() - 1) = 1;
+  const Curve curve = temperature_curve(x, {y.s.begin(), y.s.end()}, 0);
+  for (Eigen::Index i = 0; i < y.s.size(); ++i)
+    y.temperature(i) = curve.points[static_cast<std::size_t>(i)].temperature;
+  return finished(x, y);
 }
 
 std::optional<Estimate> least_friction(const Solution& x) {

@@ -17,7 +17,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::done_or_refused<std::invalid_argument>([&] {
     const thermoroll::Command c = thermoroll::read_command(arguments);
     if (c.subcommand.empty() == c.text.empty()) fuzz::fail("neither a subcommand nor a text");
-    if (c.subcommand == "temperature" && thermoroll::read_points(c.options.at).empty())
+    if (c.subcommand == "temperature" &&
+        (thermoroll::read_points("at", c.options.at).empty() ||
+         thermoroll::read_points("depth", c.options.depth).empty()))
       fuzz::fail("no points");
     if (c.subcommand == "temperature" || c.subcommand == "solve")
       thermoroll::read_scene(c.options.of_scene);

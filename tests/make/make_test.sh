@@ -101,6 +101,22 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
   expect_steps "$work/log" 'drawing build/figures/slip.svg' 'writing build/report.html' 'writing build/paper.html'
 }
 
+# The recipe of the appendix: no more is made than depends on the equation, and the curve is another.
+# (What other cases start from is as it was.)
+EquationEditChangesItsFigure() { # in the copy
+  in_copy reproduce
+  cp -a paper/05-closed-form.md src/model/carter.cpp "$work"
+  local before
+  before=$(cksum <build/figures/slip.svg)
+  sh src/recipes/equation.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'computing build/data/slip.csv' \
+    'drawing build/figures/slip.svg'
+  [ "$(cksum <build/figures/slip.svg)" != "$before" ] || fail "the figure is the same"
+  cp "$work/05-closed-form.md" paper/
+  make build/figures/slip.svg >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  [ "$(cksum <build/figures/slip.svg)" = "$before" ] || fail "the figure did not come back"
+}
+
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
 # mends it.
 InterruptedRunLeavesNothingHalfWritten() { # in the copy, for a release
@@ -160,6 +176,33 @@ END
   [ -z "$(steps "$work/second")" ] || fail "both draw: $(cat "$work/second")"
   [ "$(grep -c 'Waiting for another make in this folder' "$work/second")" = 1 ] || fail "$(cat "$work/second")"
   ls build/figures | diff "$work/all" - || fail "figures are missing"
+}
+
+# A dry run and the help need no lock, and work where nothing may be written. The lock of a make that is
+# killed, with all that it started, goes with it.
+LockHindersNoOther() {
+  mkdir "$work/project"
+  cp -r Makefile CMakeLists.txt CMakePresets.json paper src figures "$work/project"
+  cd "$work/project"
+  fake pandoc <<<"touch '$work/tangling'; exec sleep 60"
+  env PATH="$fakes:$PATH" setsid make build/tangle.stamp >"$work/first" 2>&1 &
+  local first=$! as=()
+  until [ -e "$work/tangling" ]; do kill -0 $first || fail "$(cat "$work/first")"; sleep 0.1; done
+  timeout 30 make -n build/tangle.stamp >"$work/log" 2>&1 || fail "a dry run waits: $(cat "$work/log")"
+  ! timeout 1 make build/tangle.stamp >"$work/log" 2>&1 || fail "no lock was held"
+  grep -q 'Waiting for another make' "$work/log" || fail "said: $(cat "$work/log")"
+  kill -KILL -- -$first
+  wait $first 2>/dev/null || true
+  timeout 60 make build/tangle.stamp >"$work/log" 2>&1 || fail "after a kill: $(cat "$work/log")"
+  ! grep -q Waiting "$work/log" || fail "a lock was left: $(cat "$work/log")"
+  rm -r build
+  chmod 755 "$scratch" "$work"
+  chmod -R a-w .
+  [ "$(id -u)" != 0 ] || as=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+  "${as[@]}" make -n all >"$work/log" 2>&1 || fail "a dry run in a read-only folder: $(cat "$work/log")"
+  "${as[@]}" make help >"$work/log" 2>&1 || fail "help in a read-only folder: $(cat "$work/log")"
+  grep -q '^make check  ' "$work/log" && grep -q '^make build/figures/NAME.svg  ' "$work/log" || fail "$(cat "$work/log")"
+  chmod -R u+w .
 }
 
 # Where there is no flock, nothing waits and nothing is said.
@@ -283,8 +326,11 @@ PrintIsShort() { # in the copy
   grep -q '^@page { @top-center { content: "[A-Z].*"; ' build/paper.html || fail "no running head"
 }
 
-# readme LANGUAGE: the README's block of code in this language.
-readme() { awk -v begin="\`\`\` $1" '$0 == begin { on = 1; next } /^```/ { on = 0 } on' "$project/README.md"; }
+# readme LANGUAGE, chapter LANGUAGE: the blocks of code in this language that are no chunks, of the README
+# and of the chapter on other languages.
+code() { awk -v begin="\`\`\` $1" '$0 == begin { on = 1; next } /^```/ { on = 0 } on' "$2"; }
+readme() { code "$1" "$project/README.md"; }
+chapter() { code "$1" "$project/paper/K-from-other-languages.md"; }
 
 # same_answers FILE FILE: the same words, and numbers no further apart than the errors stated behind
 # them and half a last digit.
@@ -310,7 +356,12 @@ InstalledPackage() { # in the copy
   local prefix="$work/prefix" user="$work/user" file
   make install PREFIX="$prefix" >/dev/null
   "$prefix/bin/thermoroll" --version
-  for file in LICENSE CITATION.cff; do cmp $file "$prefix/share/doc/thermoroll/$file"; done
+  for file in README.md CHANGELOG.md LICENSE CITATION.cff; do
+    cmp $file "$prefix/share/doc/thermoroll/$file"
+  done
+  diff -r src/recipes "$prefix/share/doc/thermoroll/examples"
+  "$prefix/bin/thermoroll" help --format man | cmp - "$prefix/share/man/man1/thermoroll.1"
+  "$prefix/bin/thermoroll" help --format bash | cmp - "$prefix/share/bash-completion/completions/thermoroll"
 
   mkdir "$user"
   readme cpp >"$user/example.cpp"
@@ -331,12 +382,46 @@ InstalledPackage() { # in the copy
 
   if command -v pkg-config >/dev/null; then
     export PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name thermoroll.pc)")
-    eval "c++ -std=c++17 '$user/example.cpp' $(pkg-config --cflags --libs thermoroll) -o '$user/by-flags'"
-    "$user/by-flags" | cmp "$user/printed" || fail "other answers by pkg-config"
+    local command words='$(pkg-config --cflags --libs thermoroll)'
+    command=$(chapter sh)
+    command=${command/"$words"/"$(pkg-config --cflags --libs thermoroll)"}
+    (cd "$user" && eval "$command")
+    "$user/example" | cmp "$user/printed" || fail "other answers by pkg-config"
   fi
 
   sed -i 's/find_package(thermoroll /&0.0 /' "$user/CMakeLists.txt"
   ! cmake -S "$user" -B "$user/build" >/dev/null 2>&1 || fail "another version was taken for this one"
+}
+
+# The library for C and the Python module that make install puts there, by CMake and pkg-config, and by
+# the folder on Python's path.
+InstalledForOtherLanguages() { # in the copy
+  in_copy all
+  local prefix="$work/prefix" user="$work/user" python
+  make install PREFIX="$prefix" >/dev/null
+  ! grep -rnE '@(eq|sec|tbl|fig|lst):' "$prefix/include" || fail "an installed header has references"
+  [ -e "$prefix/include/thermoroll.f90" ] || fail "no Fortran module"
+
+  mkdir "$user"
+  readme c >"$user/example.c"
+  readme out | head -3 >"$user/expected"
+  readme cmake | sed 's/CXX)$/C)/; s/\.cpp/.c/; s/thermoroll::thermoroll/thermoroll::c/' >"$user/CMakeLists.txt"
+  cmake -S "$user" -B "$user/build" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null || fail "see above"
+  cmake --build "$user/build" >/dev/null || fail "see above"
+  "$user/build/example" | diff "$user/expected" - || fail "other answers by CMake"
+  if command -v pkg-config >/dev/null; then
+    export PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name thermoroll_c.pc)")
+    (cd "$user" && eval "cc example.c $(pkg-config --cflags --libs thermoroll_c) -o example")
+    LD_LIBRARY_PATH="$prefix/lib" "$user/example" | diff "$user/expected" - || fail "other answers by pkg-config"
+  fi
+
+  for python in python3 /usr/bin/python3; do
+    ! "$python" -c 'import numpy' 2>/dev/null || break
+  done
+  ! "$python" -c 'import numpy' 2>/dev/null || PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c '
+import thermoroll
+print(thermoroll.solve(friction=0.6, traction=0.3, peclet=4360, heating=0.0175).creep)' | grep -q '^0.1117' ||
+    fail "the Python module does not find its library"
 }
 
 # Within another project the target and the include path are those of the installed package. What only
@@ -345,9 +430,10 @@ UsedInAnotherProject() {
   local user="$work/user" how goals
   mkdir -p "$user"
   readme cpp >"$user/example.cpp"
-  echo "add_subdirectory(\"$project\" thermoroll)" >"$work/add_subdirectory"
-  printf '%s\n' 'include(FetchContent)' 'FetchContent_Declare(thermoroll URL https://example.org/thermoroll.tar.gz)' \
-    'FetchContent_MakeAvailable(thermoroll)' >"$work/FetchContent"
+  ln -s "$project" "$user/thermoroll"
+  chapter cmake | grep '^add_subdirectory' >"$work/add_subdirectory"
+  chapter cmake | grep FetchContent >"$work/FetchContent"
+  [ "$(cat "$work/add_subdirectory" "$work/FetchContent" | wc -l)" = 4 ] || fail "the chapter has other lines"
   for how in add_subdirectory FetchContent; do
     rm -rf "$user/build"
     readme cmake | sed -e "/^find_package/{r $work/$how" -e 'd}' >"$user/CMakeLists.txt"

@@ -117,6 +117,76 @@ CreepOrBorderInPlaceOfTraction() {
   refuses 2 "$one" solve --friction 0.6 --peclet 100 --creep 0.1 --stick-slip-border 0
 }
 
+# A creep as a fraction of the speed: the scaled creep mu a xi / (2 (1 - nu) P) of the half-width, which
+# may follow from a radius; as an option, in a scene file and as a column.
+CreepRatio() {
+  local data=("${steel[@]:0:2}" "${steel[@]:4}") scaled half
+  answers solve "${data[@]}" --half-width 5.5e-3 --creep-ratio 0.005 --format json
+  near "$(value creep)" "$(calculate '0.005 * 8.1e10 * 5.5e-3 / (1.4 * 1.2e7)')" 1e-15
+  near "$(value creep_ratio)" 0.005 1e-17
+  grep -q '^ *"creep_ratio": 0.0,$' out || fail "an error of what is given: $(cat out)"
+  cp out by-ratio
+  scaled=$(value creep)
+  answers solve "${data[@]}" --half-width 5.5e-3 --creep "$scaled" --format json
+  diff <(sed '/"creep_ratio"/d' by-ratio) <(sed '/"creep_ratio"/d' out) || fail "the same creep is another scene"
+  answers solve "${data[@]}" --radius 0.46 --creep-ratio -0.003 --format json
+  half=$(value half_width)
+  near "$(value creep)" "$(calculate "-0.003 * 8.1e10 * $half / (1.4 * 1.2e7)")" 1e-15
+  near "$(value creep_ratio)" -0.003 1e-17
+  near "$(value radius)" 0.46 1e-6
+  [ "$(value direction)" = braking ] || fail "$(cat out)"
+  cp out by-radius
+  write_wheel
+  sed -i '/^traction/d; /^half-width/d' wheel.toml
+  printf 'creep_ratio = -0.003\nradius = 0.46\n' >>wheel.toml
+  answers solve --config wheel.toml --format json
+  cmp out by-radius || fail "the file is another scene"
+  printf '%s\n' "friction,load,speed,shear-modulus,poisson,expansion,diffusivity,conductivity,radius,creep-ratio" \
+    "0.6,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,0.46,-0.003" >scenes.csv
+  "$program" sweep <scenes.csv >results.csv || fail "$(cat results.csv)"
+  column() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) at = i } END { print $at }' results.csv; }
+  [ "$(column traction) $(column physical.tangential_load) $(column physical.max_temperature_at_m)" = \
+    "$(value traction) $(value tangential_load) $(value max_temperature_at_m)" ] || fail "$(cat results.csv)"
+  refuses 2 "for data in SI units only: --creep-ratio" solve --friction 0.6 --peclet 100 --creep-ratio 0.01
+  refuses 2 "creep-ratio = 0.02: creep = " solve "${data[@]}" --radius 0.46 --creep-ratio 0.02 --method closed-form
+  one_line "is not allowed: it must be below 2 f / pi"
+  refuses 2 "--direction driving contradicts --creep-ratio -0.01" \
+    solve "${data[@]}" --radius 0.46 --creep-ratio -0.01 --direction driving
+  refuses 2 "exactly one of --traction, --creep, --stick-slip-border, --creep-ratio and --tangential-load is needed" \
+    solve "${data[@]}" --radius 0.46 --creep-ratio 0.01 --creep 0.1
+  refuses 2 "unexpected --creep-ratio" law --friction 0.6 --peclet 100 --creep-ratio 0.01
+}
+
+# A tangential load in N/m is the traction times the load, with its sign.
+TangentialLoad() {
+  local data=("${steel[@]:0:2}" "${steel[@]:4}" --radius 0.46) load
+  for load in 6e6 -6e6; do
+    answers solve "${data[@]}" --traction "$(calculate "$load / 1.2e7")" --format json
+    cp out by-traction
+    [ "$(value tangential_load)" = "$(calculate "$load").0" ] || fail "$(cat out)"
+    [ "$(sed -n 's/^ *"tangential_load": \(.*\),$/\1/p' out | tail -1)" = 0.0 ] || fail "an error of what is given: $(cat out)"
+    answers solve "${data[@]}" --tangential-load $load --format json
+    cmp out by-traction || fail "the same load is another scene"
+  done
+  answers solve "${data[@]}" --creep 0.2 --format json
+  near "$(value tangential_load)" "$(calculate "1.2e7 * $(value traction)")" 1e-8
+  near "$(value max_temperature_at_m)" "$(calculate "$(value half_width) * $(value max_temperature_at)")" 1e-17
+  answers solve "${data[@]}" --tangential-load -6e6
+  grep -q '^tangential_load  *Q  *-6e+06  *N/m$' out || fail "$(cat out)"
+  grep -q '^max_temperature_at_m  *x  *0.006[0-9]*  *[0-9.e-]*  *m$' out || fail "$(cat out)"
+  for load in 9e6 -9e6; do
+    refuses 2 "is not allowed: it must be between -7200000 and 7200000 N/m, friction times load" \
+      solve "${data[@]}" --tangential-load $load
+  done
+  refuses 2 "tangential-load = 6e+06: traction = 0.5 is not allowed: it must be at most 0." \
+    solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
+  answers solve "${data[@]}" --tangential-load 1e6 --friction-law linear --friction-temperature 200 \
+    --branch falling --format json
+  [ "$(value branch) $(value tangential_load)" = "falling 1000000.0" ] || fail "$(cat out)"
+  refuses 2 "for data in SI units only: --tangential-load" solve --friction 0.6 --peclet 100 --tangential-load 1
+  refuses 2 "data in SI units lack --load" solve --friction 0.6 --radius 0.46 --tangential-load 1
+}
+
 # Which notes there are, and that they are no part of the answer.
 NotesOnStandardError() {
   local grid="the nodes are 78.5 kernel widths apart: load_ratio, gamma0 and max_temperature are not"
@@ -167,13 +237,42 @@ ProfileHasAllColumns() {
       fail "$method: $(cat p.csv)"
   done
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json --profile p.csv
-  header=s,pressure,pressure_pa,traction,traction_pa,slip,slip_m_per_s,heat_flux,heat_flux_w_per_m2
+  header=s,x_m,pressure,pressure_pa,traction,traction_pa,slip,slip_m_per_s,heat_flux,heat_flux_w_per_m2
   [ "$(head -1 p.csv)" = $header,temperature,temperature_celsius ] || fail "$(head -1 p.csv)"
   local unit
   unit=$(calculate "$(value max_temperature_celsius) / $(value max_temperature)")
   awk -F, -v unit="$unit" 'function same(a, b) { return (a - b)^2 <= (1e-9 * b)^2 }
-    NR > 1 && !(same($3, $2 * 1.2e7 / 5.5e-3) && same($5, $4 * 1.2e7 / 5.5e-3) &&
-      same($9, 0.6 * $3 * $7) && same($11, $10 * unit)) { exit 1 }' p.csv || fail "$(cat p.csv)"
+    NR > 1 && !(same($2, $1 * 5.5e-3) && same($4, $3 * 1.2e7 / 5.5e-3) && same($6, $5 * 1.2e7 / 5.5e-3) &&
+      same($10, 0.6 * $4 * $8) && same($12, $11 * unit)) { exit 1 }' p.csv || fail "$(cat p.csv)"
+}
+
+# So many points, dense at both edges and at the border, which is one of them: half of the points lie
+# within an eighth of a zone's length from an end of it, where a third is with t = sin^2 of an angle.
+ProfileAtPoints() {
+  local points method border
+  for method in coupled closed-form; do
+    answers solve "${paper_scene[@]}" --method $method --format json
+    cp out expected
+    border=$(value stick_slip_border)
+    for points in 2 3 4 101 2500; do
+      answers solve "${paper_scene[@]}" --method $method --format json --profile p.csv --profile-points $points
+      cmp out expected || fail "the profile changes the answer"
+      awk -F, -v n=$points -v border="$border" '
+        NR == 1 { if ($0 != "s,pressure,traction,slip,heat_flux,temperature") exit 1; next }
+        NR == 2 && $1 != -1 || NR > 2 && $1 <= before { exit 1 }
+        { before = $1; near = $1 < border ? ($1 + 1) / (border + 1) : ($1 - border) / (1 - border) }
+        { ends += near < 1 / 8 || near > 7 / 8; found += near < 1e-12 || near > 1 - 1e-12 }
+        END { exit !(NR == n + 1 && $1 == 1 && (n < 5 || ends > 0.4 * n) && (n < 3 || found == 3)) }' p.csv ||
+        fail "$method $points: $(head p.csv)"
+    done
+  done
+  refuses 2 "--profile-points needs --profile" solve "${paper_scene[@]}" --profile-points 100
+  for points in 1 100001; do
+    refuses 2 "profile-points = $points is not allowed: it must be from 2 to 100000" \
+      solve "${paper_scene[@]}" --profile p.csv --profile-points $points
+  done
+  refuses 2 "profile-points = 2.5 is not allowed: it must be a whole number" \
+    solve "${paper_scene[@]}" --profile p.csv --profile-points 2.5
 }
 
 # The flux into each body stands in columns of its own, where both conduct: together they are the
@@ -192,7 +291,7 @@ ProfileOfTwoBodies() {
   answers solve "${steel[@]}" --half-width 5.5e-3 --roller identical --profile p.csv
   head -1 p.csv | grep -q ',heat_flux_1,heat_flux_1_w_per_m2,heat_flux_2,heat_flux_2_w_per_m2$' ||
     fail "$(head -1 p.csv)"
-  awk -F, 'NR > 1 && (($12 - $8 / 2)^2 > 1e-30 || ($13 - $9 / 2)^2 > (1e-12 * $9)^2 || $15 != $13) { exit 1 }' p.csv ||
+  awk -F, 'NR > 1 && (($13 - $9 / 2)^2 > 1e-30 || ($14 - $10 / 2)^2 > (1e-12 * $10)^2 || $16 != $14) { exit 1 }' p.csv ||
     fail "$(cat p.csv)"
 }
 
@@ -240,7 +339,7 @@ JsonHasItsKeysInOrder() {
   local end="heat_partition $crossing full_slip $limits outer_iterations inner_iterations unknowns newton_iterations converged admissible violations"
   end="$end error_estimate"
   local physical="physical half_width radius creep_ratio hertz_pressure max_pressure max_traction"
-  physical="$physical max_heat_flux max_temperature_celsius half_width_over_radius dissipation"
+  physical="$physical max_heat_flux max_temperature_celsius half_width_over_radius dissipation tangential_load max_temperature_at_m"
   physical="$physical contact_temperature_celsius error_estimate"
   keys() { grep -o '^ *"[a-z0-9_]*":' out | tr -d ' ":' | paste -sd' '; }
   answers solve "${paper_scene[@]}" "${published[@]}" --format json
@@ -758,6 +857,8 @@ SiResultsHaveTheirUnits() {
   relative half_width_over_radius "$(value half_width) / $(value radius)"
   relative dissipation "$(value heat_integral) * 0.6 * 22.2 * $strain * 1.2e7"
   relative max_traction "0.6 * $p0"
+  relative tangential_load '0.5 * 1.2e7'
+  relative max_temperature_at_m "$(value max_temperature_at) * 5.5e-3"
   relative creep_ratio "$(value creep) * $strain"
   relative max_temperature_celsius \
     "$(value max_temperature) * 0.6 * 22.2 * $strain * 1.2e7 / 50"
@@ -818,7 +919,6 @@ IncompleteData() {
   refuses 2 "--friction is required" solve --traction 0.5 --peclet 100
   refuses 2 "exactly one of --traction, " solve --friction 0.6 --peclet 100
   refuses 2 "--peclet is missing" solve --friction 0.6 --traction 0.5
-  refuses 2 "--at is required" temperature "${paper_scene[@]}"
   refuses 2 "either --half-width or --radius" solve "${steel[@]}"
   refuses 2 "lack --speed --shear-modulus --poisson --expansion --diffusivity --conductivity" \
     solve --friction 0.6 --traction 0.5 --load 1.2e7 --half-width 5.5e-3
@@ -840,9 +940,10 @@ TemperatureColumns() {
   answers temperature "${paper_scene[@]}" --at 0.5 --method gauss-chebyshev
   tail -1 out | grep -qx '0.5,0.001[0-9]*,' || fail "$(cat out)"
   answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5
-  [ "$(head -1 out)" = s,temperature,temperature_celsius,error_estimate ] || fail "$(head -1 out)"
-  awk -F, 'END { t = $2 * 0.6 * 22.2 * 1.4 * 1.2e7^2 / (8.1e10 * 5.5e-3 * 50)
-                 exit !($3 / t - 1 < 1e-14 && 1 - $3 / t < 1e-14) }' out || fail "$(cat out)"
+  [ "$(head -1 out)" = s,x_m,temperature,temperature_celsius,error_estimate ] || fail "$(head -1 out)"
+  awk -F, 'END { if ($2 != 0.5 * 5.5e-3) exit 1
+                 t = $3 * 0.6 * 22.2 * 1.4 * 1.2e7^2 / (8.1e10 * 5.5e-3 * 50)
+                 exit !($4 / t - 1 < 1e-14 && 1 - $4 / t < 1e-14) }' out || fail "$(cat out)"
 }
 
 TemperatureGrid() {
@@ -854,12 +955,40 @@ TemperatureGrid() {
   [ "$(cut -d, -f1 out | paste -sd' ')" = "s 1 -1 0.25" ] || fail "$(cat out)"
   answers temperature "${paper_scene[@]}" --at 1e308:-1e308:3
   [ "$(cut -d, -f1 out | paste -sd' ')" = "s 1e+308 0 -1e+308" ] || fail "$(cat out)"
+  answers temperature "${paper_scene[@]}"
+  cp out default
+  answers temperature "${paper_scene[@]}" --at -1.5:4:551
+  cmp out default || fail "without --at there are other points"
+}
+
+# Rows by depth and then by s, each as at that depth alone, with columns for the depth.
+TemperatureAtDepths() {
+  local depth scene=(--friction 0.6 --traction 0.5 --peclet 5)
+  echo s,depth,temperature,error_estimate >expected
+  for depth in 0.1 0 0.05; do
+    answers temperature "${scene[@]}" --at 2,0,1 --depth $depth
+    [ "$(head -1 out)" = s,temperature,error_estimate ] || fail "$(head -1 out)"
+    sed "1d; s/,/,$depth,/" out >>expected
+  done
+  answers temperature "${scene[@]}" --at 2,0,1 --depth 0.1,0,0.05
+  cmp out expected || fail "$(diff out expected)"
+  answers temperature "${scene[@]}" --at 0:1:2 --depth 0:0.5:3
+  [ "$(cut -d, -f1,2 out | paste -sd' ')" = "s,depth 0,0 1,0 0,0.25 1,0.25 0,0.5 1,0.5" ] || fail "$(cat out)"
+  answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5 --depth 0,1
+  [ "$(head -1 out)" = s,x_m,depth,depth_m,temperature,temperature_celsius,error_estimate ] || fail "$(head -1 out)"
+  awk -F, 'NR > 1 && ($2 != $1 * 5.5e-3 || $4 != $3 * 5.5e-3) { exit 1 }' out || fail "$(cat out)"
+  refuses 2 "depth = -1 is not allowed: it must be zero or positive" temperature "${scene[@]}" --depth 0,-1
+  refuses 2 "number of rows = 1000500 is not allowed: it must be at most 1000000" \
+    temperature "${scene[@]}" --at 0:1:2001 --depth 0:1:500
+  refuses 2 "depth = 1 is not allowed: it must be 0 with gauss-chebyshev" \
+    temperature "${paper_scene[@]}" --method gauss-chebyshev --depth 0,1
 }
 
 BadPoints() {
   local at
   for at in foo 0:1 0:1:1 0:1:1.5 0:1:1000001 0:1:1e99 0:1:2: 0:1:2:3 :: 0::2 0:nan:2 inf:1:2 1, ,1 "" nan; do
     refuses 2 "at = $at is not allowed: it must be A:B:N" temperature "${paper_scene[@]}" --at "$at"
+    refuses 2 "depth = $at is not allowed: it must be A:B:N" temperature "${paper_scene[@]}" --depth "$at"
   done
 }
 
@@ -957,8 +1086,8 @@ BadSceneFiles() {
   bad "gives peclet more than once" 'peclet = [100, 200]'
   [ ! -e other ] || fail "a file was written"
   refuses 2 "A subcommand is required" --config bad.toml
-  refuses 2 "cannot read the scene file nowhere.toml" solve --config nowhere.toml
-  refuses 2 "cannot read the scene file ." solve --config .
+  refuses 2 "cannot read the scene file nowhere.toml: No such file or directory" solve --config nowhere.toml
+  refuses 2 "cannot read the scene file .: Is a directory" solve --config .
   refuses 2 "the scene file has more than 100000 bytes" solve --config /dev/zero
   { printf '%s' "$case"; yes '# a comment'; } | head -c 100000 >long.toml
   answers solve --config long.toml --peclet 100
@@ -1053,15 +1182,83 @@ BadWords() {
 
 BadUsage() {
   refuses 2 "A subcommand is required (see --help)"
-  refuses 2 "unexpected sovle (see --help)" sovle "${paper_scene[@]}"
-  refuses 2 "unexpected --fricton (see --help)" solve --fricton 0.6
   refuses 2 "unexpected --at (see --help)" solve "${paper_scene[@]}" --at 0
   refuses 2 "unexpected 7 (see --help)" solve "${paper_scene[@]}" 7
   refuses 2 "unexpected temperature (see --help)" solve "${paper_scene[@]}" temperature
-  refuses 2 "--friction needs exactly one value" solve "${paper_scene[@]}" --friction 0.5
+  refuses 2 "--friction is given twice" solve "${paper_scene[@]}" --friction 0.5
+  refuses 2 "--heating-2 is given twice" solve "${paper_scene[@]}" --heating-2 0.5 --heating-2 0.5
   refuses 2 "--peclet needs exactly one value" solve --friction 0.6 --traction 0.5 --peclet
   refuses 2 "either a NAME or --list" figure-data
   refuses 2 "either a NAME or --list" figure-data --list traction
+}
+
+# Each option with a unit names it where it is given something else.
+UnitsAreNamed() {
+  local option unit words
+  while read -r option unit; do
+    refuses 2 "$option = 80x is not allowed: it must be a finite number in $unit" \
+      solve --friction 0.6 --$option 80x
+  done <<'END'
+load N/m
+speed m/s
+shear-modulus Pa
+expansion 1/K
+diffusivity m^2/s
+conductivity W/(m K)
+half-width m
+radius m
+conductivity-2 W/(m K)
+expansion-2 1/K
+diffusivity-2 m^2/s
+bulk-temperature degree C
+bulk-temperature-2 degree C
+tangential-load N/m
+END
+  answers solve --help
+  words=$(grep -oE '^  --[a-z0-9-]+ (N/m|m/s|Pa|1/K|m\^2/s|W/\(m K\)|m|degree C)( |$)' out | wc -l)
+  [ "$words" -eq 14 ] || fail "$words options with a unit"
+  refuses 2 "poisson = 80x is not allowed: it must be a finite number" solve --friction 0.6 --poisson 80x
+  ! grep -q ' in ' err || fail "$(cat err)"
+}
+
+EmptyFileNames() {
+  local option
+  for option in output profile config; do
+    refuses 2 "$option =  is not allowed: it must be the name of a file" solve "${paper_scene[@]}" --$option ""
+  done
+  refuses 2 "output =  is not allowed" temperature "${paper_scene[@]}" --output ""
+  refuses 2 "times =  is not allowed" figure-data speed --times ""
+}
+
+# The options' names with underscores, on the command line and as keys; values keep theirs.
+UnderscoresAreHyphens() {
+  write_wheel
+  answers solve --config wheel.toml --format json
+  cp out expected
+  sed -i 's/^half-width/half_width/; s/^shear-modulus/shear_modulus/' wheel.toml
+  answers solve --config wheel.toml --format json
+  cmp out expected || fail "the keys are others"
+  run solve "${steel[@]/shear-modulus/shear_modulus}" --half_width=5.5e-3 --format json --output a_b
+  cmp a_b expected || fail "the options are others: $(cat err)"
+  echo 'half-width = 1' >>wheel.toml
+  refuses 2 "gives half-width more than once" solve --config wheel.toml
+  refuses 2 "method = closed_form is not allowed" solve "${paper_scene[@]}" --method closed_form
+}
+
+# A misspelt name is told with the nearest, if one is near, and nothing else is done.
+NearestNames() {
+  refuses 2 "unexpected --fricton (did you mean --friction?)" solve --fricton 0.6
+  refuses 2 "unexpected --fricton=0.6 (did you mean --friction?)" solve --fricton=0.6
+  refuses 2 "unexpected --tolerence (did you mean --tolerance?)" solve "${paper_scene[@]}" --tolerence 1e-3
+  refuses 2 "unexpected --confg (did you mean --config?)" solve --confg wheel.toml
+  refuses 2 "unexpected --nonsense (see --help)" solve --nonsense 1
+  refuses 2 "unexpected sovle (did you mean solve?)" sovle "${paper_scene[@]}"
+  refuses 2 "unexpected solv (did you mean solve?)" solv
+  refuses 2 "unexpected sweeep (did you mean sweep?)" sweeep --help
+  refuses 2 "unexpected sweeep (did you mean sweep?)" help sweeep
+  refuses 2 "unexpected nonsense (see --help)" nonsense --help
+  refuses 2 "unexpected solve (see --help)" solve "${paper_scene[@]}" solve
+  answers solve --fricton 0.6 --help
 }
 
 # A limit cycle of the published scheme: the last iterate is told, and that it is one.
@@ -1250,11 +1447,20 @@ SameInEveryLocale() { # slow
       cmp out expected && cmp profile expected-profile || fail "$locale makes a difference"
     done
   done
-  answers figure-data kernels
-  mv out expected
-  for locale in tr_TR de_DE; do
-    LC_ALL=$locale.UTF-8 answers figure-data kernels
-    cmp out expected || fail "$locale makes a difference"
+  local data=("${steel[@]:0:2}" "${steel[@]:4}" --radius 0.46) command
+  for command in "figure-data kernels" "help solve" "solve ${data[*]} --creep-ratio 0.005" \
+    "solve ${data[*]} --tangential_load -6.5e6 --profile profile --profile-points 9 --format json" \
+    "temperature ${data[*]} --creep_ratio 0.005 --at -0.5:1.5:3 --depth 0,0.25"; do
+    # shellcheck disable=SC2086
+    answers $command
+    mv out expected
+    for locale in tr_TR de_DE; do
+      # shellcheck disable=SC2086
+      LC_ALL=$locale.UTF-8 answers $command
+      cmp out expected || fail "$locale makes a difference to $command"
+      LC_ALL=$locale.UTF-8 refuses 2 "unexpected --FRICTION-LIMIT (see --help)" solve --FRICTION-LIMIT 1
+      LC_ALL=$locale.UTF-8 refuses 2 "(did you mean --friction?)" solve --fric_tion 1
+    done
   done
 }
 
@@ -1585,6 +1791,77 @@ BadCreepLaws() {
 
 # --- The other subcommands ------------------------------------------------------------------------
 
+# groff warns of nothing in the manual page. It has every option of every subcommand, below its name, and
+# every line of the examples as it stands in the help.
+ManualPage() {
+  command -v groff >/dev/null || fail "groff is not there: install groff-base"
+  answers help --format man
+  cp out thermoroll.1
+  groff -man -ww -Tascii -P-cbou -rLL=300n -rLT=300n thermoroll.1 >page 2>warnings || fail "$(cat warnings)"
+  [ ! -s warnings ] || fail "groff said: $(cat warnings)"
+  grep -q '^thermoroll - Rolling contact' <(sed 's/^ *//' page) || fail "no name: $(head -5 page)"
+  local command line
+  for command in solve sweep temperature creep-curve law figure-data claims help; do
+    sed -n "/^thermoroll $command\$/,/^thermoroll [a-z]/p" page | sed 's/^ *//' >section
+    [ -s section ] || fail "no $command"
+    answers $command --help
+    grep -o '^  [-h,]*--[a-z0-9-]*' out | sed 's/.* \(-h,\)\{0,1\}//' >options
+    [ "$(wc -l <options)" -ge 3 ] || fail "$command: $(cat out)"
+    while IFS= read -r line; do
+      grep -q -- "^$line\( \|\$\)" section || fail "$command has no $line"
+    done <options
+    sed -n 's/^  \(thermoroll .*\)/\1/p' out >examples
+    while IFS= read -r line; do
+      grep -qxF -- "$line" section || fail "$command has no example $line"
+    done <examples
+  done
+  run help --format man --output file
+  cmp file thermoroll.1 || fail "another page in the file"
+  echo '.nonsense' >>thermoroll.1
+  groff -man -ww -z thermoroll.1 2>&1 | grep -q nonsense || fail "groff warns of nothing"
+  refuses 2 "--format man is for the whole program, not solve" help solve --format man
+  refuses 2 "format = html is not allowed: it must be text or man or bash" help --format html
+}
+
+# Bash's own completion with the function that the program writes.
+Completion() {
+  answers help --format bash
+  cp out thermoroll.bash
+  mkdir bin
+  ln -s "$program" bin/thermoroll
+  touch "a file.csv" scenes.csv
+  completes() { # completes EXPECTED WORD...: the last word may become one of these
+    local expected=$1 found
+    shift
+    found=$(PATH="$PWD/bin:$PATH" bash -c 'source ./thermoroll.bash
+      COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+      complete_thermoroll
+      printf "%s;" "${COMPREPLY[@]}"' bash "$@") || fail "$* ended with an error"
+    [ "$found" = "$expected" ] || fail "$*: $found"
+  }
+  completes 'solve;' thermoroll so
+  completes '--version;' thermoroll --v
+  completes '--friction;--friction-law;--friction-temperature;--friction-floor;--friction-reference-temperature;' \
+    thermoroll solve --peclet 100 --fric
+  completes 'insulated;identical;conducting;' thermoroll solve --roller ''
+  completes 'identical;' thermoroll solve --roller = id
+  completes 'insulated;identical;conducting;' thermoroll solve --roller =
+  completes ';' thermoroll solve --friction ''
+  completes 'c;python;modelica;json;' thermoroll law --format ''
+  completes 'text;json;csv;' thermoroll solve --format ''
+  completes 'a file.csv;' thermoroll solve --output a
+  completes 'scenes.csv;' thermoroll --config sc
+  completes 'kernels;' thermoroll figure-data kern
+  completes 'creep-curve;' thermoroll help cr
+  local command option
+  for command in solve sweep temperature creep-curve law figure-data claims help; do
+    answers $command --help
+    for option in $(grep -o '^  [-h,]*--[a-z0-9-]*' out | sed 's/.*--/--/'); do
+      grep -q "^  '$command '\*) words='.*$option " thermoroll.bash || fail "$command has no $option"
+    done
+  done
+}
+
 FigureData() {
   answers figure-data --list
   grep -qx kernels out && grep -qx values out || fail "$(cat out)"
@@ -1592,7 +1869,9 @@ FigureData() {
   cp out expected
   run figure-data kernels --output file
   cmp file expected || fail "file and standard output differ"
-  refuses 2 "NAME = kernel is not allowed: it must be one of arithmetic, bands" figure-data kernel
+  refuses 2 "NAME = kernel is not allowed: it must be a name of figure-data --list (did you mean kernels?)" figure-data kernel
+  refuses 2 "NAME = nowhere is not allowed: it must be a name of figure-data --list" figure-data nowhere
+  ! grep -q 'did you mean' err || fail "$(cat err)"
   refuses 2 "NAME = ../kernels is not allowed" figure-data ../kernels
   local words="is not the output of thermoroll-bench"
   refuses 1 "/dev/null $words: it is not JSON" figure-data speed --times /dev/null
@@ -1624,15 +1903,19 @@ Version() {
 
 Help() {
   local command
-  for command in "" solve sweep temperature creep-curve law figure-data claims; do
+  for command in "" solve sweep temperature creep-curve law figure-data claims help; do
+    # shellcheck disable=SC2086
+    answers help $command
+    cp out expected
     # shellcheck disable=SC2086
     answers $command --help
+    cmp out expected || fail "help $command prints something else"
     grep -q '^Examples:$' out || fail "no examples: $command"
   done
   answers --help
   grep -q '^Exit status: 0 done; 1 ' out || fail "no exit status: $(cat out)"
   answers solve --help
-  grep -q 'not count that in its errors' out || fail "does not say what the errors are: $(cat out)"
+  grep -q '^Errors are estimates, not bounds\.$' out && grep -q 'not count that in its errors' out || fail "does not say what the errors are: $(cat out)"
   for command in solve temperature creep-curve law; do
     answers $command --help
     tr '\n' ' ' <out | grep -q 'all heat goes into one body.*two steel bodies (--roller identical) are about half as hot' ||
@@ -1647,7 +1930,7 @@ ExamplesRun() {
   mkdir bin
   ln -s "$program" bin/thermoroll
   local command count=0 example
-  for command in "" solve sweep temperature creep-curve law figure-data claims; do
+  for command in "" solve sweep temperature creep-curve law figure-data claims help; do
     # shellcheck disable=SC2086
     answers $command --help
     sed -n '/^Examples:/,/^$/p' out | sed -e :a -e '/\\$/N; s/\\\n *//; ta' | sed -n 's/^  //p' >examples

@@ -157,7 +157,9 @@ BadRowsGiveTheirError() {
   bad '0.6,,100,0,,,' 2 "exactly one of --traction, --creep and --stick-slip-border is needed"
   bad '0.6,0.5,100,0,,,0.1' 2 "exactly one of --traction, --creep and --stick-slip-border is needed"
   bad '0.6,0.5,nan,0,,,' 2 "peclet = nan is not allowed: it must be a finite number"
-  bad '0.6,0.5,"100",0,,,' 2 "peclet = 100 is not allowed: it must be a finite number"
+  bad '0.6,0.5,"1e",0,,,' 2 "peclet = 1e is not allowed: it must be a finite number"
+  bad '0.6,0.5,"100,0,,,' 2 "a quote is not closed on its line"
+  bad '0.6,0.5,"100"0,0,,,' 2 "a quote is followed by text: two quotes stand for one"
   bad '0.6,0.5,100\00001,0,,,' 2 "the row holds a null character"
   bad '0.6,0.5,1\a0,0,,,' 2 "peclet = 1 0 is not allowed: it must be a finite number"
   bad '0.6,0.5,\xff,0,,,' 2 'peclet = \xff is not allowed: it must be a finite number'
@@ -189,10 +191,16 @@ BadHeaders() {
     [ $status -eq 2 ] && [ ! -s out ] || fail "$2: status $status: $(cat out err)"
     one_line "$1"
   }
-  bad "the header names what is no option of solve: pecle" 'friction,traction,pecle'
+  bad "the header names what is no option of solve: pecle (did you mean peclet?); --keep lets a label pass" 'friction,traction,pecle'
+  bad "the header names what is no option of solve: modle (did you mean model?)" 'friction,traction,peclet,modle'
   bad "the header names what is no option of solve: friction;traction;peclet" 'friction;traction;peclet'
   bad "the header names what is no option of solve: 0.6" '0.6,0.5,100'
-  bad "the header has quotes, which are not read" '"friction",traction,peclet'
+  bad "(are its fields separated by ';'? only commas separate them)" 'friction;traction;peclet'
+  bad "(are its fields separated by a tab? only commas separate them)" 'friction\ttraction\tpeclet'
+  bad "a quote is not closed on its line" '"friction,traction,peclet'
+  bad "the header names stick_slip_border twice" 'friction,peclet,stick-slip-border,stick_slip_border'
+  bad "the header lacks traction, creep or stick-slip-border" 'friction,peclet'
+  bad "the header lacks peclet (or data in SI units)" 'friction,traction'
   bad "the lines end in carriage returns alone" 'friction,traction,peclet\r0.6,0.5,100\r'
   bad "the header names what is no option of solve: --friction" '--friction,traction,peclet'
   bad "the header names what is no option of solve: help" 'friction,traction,help'
@@ -204,13 +212,320 @@ BadHeaders() {
   "$program" sweep </dev/null >out 2>err || status=$?
   [ $status -eq 2 ] && [ ! -s out ] || fail "an empty table: status $status: $(cat out err)"
   one_line "the table is empty: it has no header"
-  echo friction >scenes.csv
+  echo friction,creep,peclet >scenes.csv
   sweeps 0
   [ "$(wc -l <results.csv)" -eq 1 ] || fail "rows from nothing: $(cat results.csv)"
   refuses 2 "jobs = 0 is not allowed: it must be from 1 to 1024" sweep --jobs 0
   refuses 2 "jobs = 1025 is not allowed: it must be from 1 to 1024" sweep --jobs 1025
   refuses 2 "jobs = two is not allowed: it must be a whole number" sweep --jobs two
-  refuses 2 "unexpected scenes.csv" sweep scenes.csv
+}
+
+# An option of the sweep, or of a case file, holds where a row has no value of its own: its results are
+# those of the table that has it in every row. A creep in a row replaces a traction of the sweep.
+OptionsHoldInAllRows() {
+  printf '%s\n' friction,traction,peclet,heating,tolerance,roller,method 0.6,0.5,100,1,1e-3,identical,coupled \
+    0.6,0.5,100,1,1e-5,identical,coupled >scenes.csv
+  sweeps 0 --columns traction,creep,heat_1,unknowns,error_estimate.creep,roller
+  cp results.csv expected
+  printf '%s\n' friction,traction,tolerance 0.6,0.5,1e-3 0.6,0.5, >scenes.csv
+  sweeps 0 --columns traction,creep,heat_1,unknowns,error_estimate.creep,roller --peclet 100 --heating 1 --tolerance 1e-5 \
+    --roller identical --method coupled
+  cmp results.csv expected || fail "$(cat results.csv) is not $(cat expected)"
+  printf '%s\n' 'peclet = 100' 'heating = 1' 'tolerance = 1e-5' 'roller = "identical"' 'method = "coupled"' >case.toml
+  sweeps 0 --columns traction,creep,heat_1,unknowns,error_estimate.creep,roller --config case.toml
+  cmp results.csv expected || fail "a case file: $(cat results.csv) is not $(cat expected)"
+  printf '%s\n' friction,creep 0.6,0.1 0.6, 0.6,0.2 >scenes.csv
+  sweeps 0 --traction 0.5 --peclet 100 --method closed-form
+  grep -q '^0.1\|^0.6,0.1,' results.csv && [ "$(cell traction 2)" = 0.5 ] || fail "$(cat results.csv)"
+  [ "$(cell creep 1) $(cell creep 3)" = "0.1 0.2" ] || fail "$(cat results.csv)"
+}
+
+# The data of the wheel from its file, the tractions and the speeds from the table.
+CaseFileAndTable() {
+  code toml B-command-line.md >wheel.toml
+  printf '%s\n' traction,speed 0.3,10 0.5, >scenes.csv
+  sweeps 0 --config wheel.toml
+  answers solve --config wheel.toml --traction 0.5 --format csv
+  local column
+  for column in creep max_temperature physical.max_temperature_celsius physical.error_estimate.creep_ratio; do
+    [ "$(cell $column 2)" = "$(cell $column 1 out)" ] && [ -n "$(cell $column 1)" ] || fail "$column: $(cat results.csv)"
+  done
+  [ "$(cell peclet 1)" != "$(cell peclet 2)" ] || fail "one speed: $(cat results.csv)"
+  echo 'resume = "x.csv"' >case.toml
+  refuses 2 "no option for it: resume" sweep scenes.csv --config case.toml
+}
+
+# Labels stay as they are, with what needs quotes in CSV, and are no options; results do not get them.
+LabelsPassThrough() {
+  cat >scenes.csv <<'END'
+"id",friction,"my note",traction,peclet,method
+7,0.6,"a, ""b"" ; c",0.5,100,closed-form
+, 0.6 ,é,0.7,100,closed-form
+x,0.6,,0.4,100,"closed-form"
+END
+  sweeps 4 --keep "my note"
+  [ "$(cut -d, -f1-4 results.csv | sed -n 2p)" = '7,0.6,"a, ""b"" ; c"' ] || fail "$(cat results.csv)"
+  grep -q '^,0.6,é,0.7,100,closed-form,.*,2,"traction' results.csv || fail "$(cat results.csv)"
+  grep -q '^x,0.6,,0.4,100,closed-form,.*,0,$' results.csv || fail "$(cat results.csv)"
+  local bad
+  for bad in creep model status physical.half_width; do
+    refuses 2 "keep = $bad is not allowed: it must be no name of a result" sweep scenes.csv --keep "$bad"
+  done
+  refuses 2 "the header lacks note, which --keep names" sweep scenes.csv --keep "my note,note"
+  refuses 2 "the header names what is no option of solve: my note; --keep lets a label pass" sweep scenes.csv
+}
+
+# The results of a sweep are a table again: the prescribing column stays, and all else comes out as before
+# to the errors. The data of a roller that has none and the groups in SI units were results too.
+ResultsAreSweptAgain() {
+  cat >scenes.csv <<'END'
+id,friction,traction,creep,peclet,heating,load,speed,shear_modulus,poisson,expansion,diffusivity,conductivity,half-width,roller,tolerance,friction-law,friction-temperature,bulk-temperature
+a,0.6,0.5,,100,1,,,,,,,,,,1e-8,,,
+b,0.6,-0.5,,100,1,,,,,,,,,identical,1e-8,,,
+c,0.6,,0.2,,,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,5.5e-3,identical,1e-8,,,
+d,0.6,0.4,,,,1.2e7,22.2,8.1e10,0.3,1.1e-5,1.4e-5,50,5.5e-3,,1e-8,linear,3000,20
+END
+  sweeps 0
+  cp results.csv first.csv
+  local given row column
+  for given in creep traction stick_slip_border; do
+    "$program" sweep first.csv --given $given --output results.csv || fail "$given was not swept again"
+    whole_rows <results.csv
+    for row in 1 2 3 4; do
+      [ "$(cell $given $row)" = "$(cell $given $row first.csv)" ] || fail "$given: $(cat results.csv)"
+      for column in traction creep heat_integral max_temperature; do
+        awk -v a="$(cell $column $row)" -v b="$(cell $column $row first.csv)" -v e="$(cell error_estimate.$column $row)" \
+          'BEGIN { d = a - b; exit !(d * d <= (2 * e + 4e-8 * (b < 0 ? -b : b))^2 && a != "") }' ||
+          fail "$given: $column of row $row: $(cell $column $row), not $(cell $column $row first.csv)"
+      done
+    done
+  done
+  refuses 2 "the table has results: --given says which of its columns prescribes" sweep first.csv
+  "$program" sweep first.csv --given creep --columns id,friction,creep,peclet,heating,model | head -3 >second.csv || true
+  answers sweep second.csv
+  refuses 2 "given = traction is not allowed: the header lacks it" sweep second.csv --given traction
+}
+
+# The columns asked for, in their order, under either spelling.
+ChosenColumns() {
+  write_scenes
+  sweeps 4 --columns status,stick-slip-border,peclet,error_estimate.creep
+  [ "$(head -1 results.csv)" = "status,stick_slip_border,peclet,error_estimate.creep" ] || fail "$(cat results.csv)"
+  [ "$(sed -n 4p results.csv)" = "2,,100," ] || fail "$(cat results.csv)"
+  cp results.csv some.csv
+  sweeps 4
+  local column
+  for column in status stick_slip_border peclet error_estimate.creep; do
+    [ "$(cell $column 2 some.csv)" = "$(cell $column 2)" ] || fail "$column: $(cat some.csv)"
+  done
+  refuses 2 "columns = crep is not allowed: it must be a column (did you mean creep?)" sweep scenes.csv --columns crep
+  refuses 2 "columns =  is not allowed" sweep scenes.csv --columns traction,
+}
+
+# An object a line, with numbers, truth values, nulls and texts, which say what the cells say.
+LinesOfJson() {
+  write_scenes
+  sed -i '1s/^/id,/; 2,$s/^/7,/' scenes.csv
+  sweeps 4
+  "$program" sweep scenes.csv --format jsonl >rows 2>err || [ $? -eq 4 ] || fail "$(cat err)"
+  python3 - <<'END' || fail "other rows: $(head -1 rows)"
+import csv, json
+cells, rows = list(csv.DictReader(open("results.csv"))), [json.loads(x) for x in open("rows")]
+assert len(rows) == len(cells) == 4
+for row, cell in zip(rows, cells):
+    assert list(row) == list(cell)
+    for name, value in row.items():
+        text = cell[name]
+        if name in ("id", "error"): assert value == (text or None) or value == text, name
+        elif text == "": assert value is None, name
+        elif text in ("true", "false"): assert value is (text == "true"), name
+        elif isinstance(value, str): assert value == text, name
+        else: assert float(text) == value, name
+assert rows[0]["id"] == "7" and rows[0]["status"] == 0 and rows[2]["status"] == 2 and rows[0]["admissible"] is True
+END
+}
+
+# Every column is described, with a type that its cells have, and numbers with a unit.
+DataPackageDescribesTheColumns() {
+  code toml B-command-line.md >wheel.toml
+  printf '%s\n' id,traction,speed a,0.3,10 b,0.5, c,0.7,1 >scenes.csv
+  mkdir results
+  refuses 4 "1 of 3 rows have an error" sweep scenes.csv --config wheel.toml --output results/all.csv --datapackage package.json
+  python3 - <<'END' || fail "$(cat package.json)"
+import csv, json
+package = json.load(open("package.json"))
+resource = package["resources"][0]
+assert resource["path"] == "results/all.csv" and resource["format"] == "csv"
+fields = {x["name"]: x for x in resource["schema"]["fields"]}
+rows = list(csv.DictReader(open(resource["path"])))
+assert list(fields) == list(rows[0]), (list(fields), list(rows[0]))
+for name, field in fields.items():
+    for row in rows:
+        text = row[name]
+        if text == "": continue
+        if field["type"] == "boolean": assert text in ("true", "false"), name
+        elif field["type"] == "integer": int(text)
+        elif field["type"] == "number": float(text)
+        else: assert field["type"] == "string" and "unit" not in field, name
+    assert ("unit" in field) == (field["type"] in ("number", "integer")), name
+    if "errorColumn" in field: assert field["errorColumn"] in fields
+texts = [x["name"] for x in fields.values() if x["type"] == "string"]
+assert all(any(not row[x].replace(".", "").isdigit() for row in rows) for x in texts)
+unit = lambda name: fields[name]["unit"]
+assert [unit(x) for x in ("speed", "creep", "physical.hertz_pressure", "physical.error_estimate.radius")] == ["m/s", "1", "Pa", "m"]
+assert fields["creep"]["symbol"] == "xi*" and fields["creep"]["errorColumn"] == "error_estimate.creep"
+assert fields["physical.radius"]["errorColumn"] == "physical.error_estimate.radius"
+END
+  refuses 2 "it must stand above or beside the results" sweep scenes.csv --config wheel.toml --output all.csv --datapackage results/p.json
+  refuses 2 "--datapackage describes the results of a whole table" sweep scenes.csv --config wheel.toml --datapackage p.json
+  [ ! -e all.csv ] && [ ! -e p.json ] || fail "left behind: $(ls)"
+}
+
+# A file as the argument, `-`, or standard input: the same bytes.
+TableInAFile() {
+  write_scenes
+  sweeps 4
+  cp results.csv expected
+  "$program" sweep scenes.csv >results.csv 2>err || [ $? -eq 4 ] || fail "$(cat err)"
+  cmp results.csv expected
+  "$program" sweep - <scenes.csv >results.csv 2>err || [ $? -eq 4 ] || fail "$(cat err)"
+  cmp results.csv expected
+  refuses 2 "cannot read the table absent.csv: No such file" sweep absent.csv
+  refuses 1 "cannot read the table: Is a directory" sweep .
+}
+
+# The file is complete when it appears. After a signal, a refusal or a full disk there is none, or the old one.
+OutputIsWholeOrAbsent() {
+  write_scenes
+  sweeps 4
+  cp results.csv expected
+  refuses 4 "1 of 4 rows have an error" sweep scenes.csv --output results.csv
+  cmp results.csv expected
+  echo old >results.csv
+  endless() { cat scenes.csv; yes 0.6,0.7,100,1,; }
+  interrupt INT 4000 "$program" sweep --output results.csv < <(endless)
+  [ $status -eq 130 ] || fail "status $status: $(cat err)"
+  one_line "stopped by a signal: Interrupt, after "
+  [ "$(cat results.csv)" = old ] || fail "$(head -1 results.csv)"
+  refuses 2 "the header names" sweep --given creep --output results.csv <<<friction,crep
+  status=0
+  (ulimit -f 2 && "$program" sweep <scenes.csv --output results.csv 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write results.csv: File too large"
+  [ "$(cat results.csv)" = old ] || fail "$(head -1 results.csv)"
+  [ -z "$(find . -name 'thermoroll-*')" ] || fail "left behind: $(ls)"
+  refuses 2 "the results would replace the table" sweep scenes.csv --output ./scenes.csv
+  refuses 1 "cannot write nowhere/results.csv" sweep scenes.csv --output nowhere/results.csv
+}
+
+# Stopped by a signal, cut in a row, cut in the header or never begun: the end is the same file. A failed
+# row counts whenever it was written.
+ResumesWhereItWasStopped() {
+  write_scenes 10
+  sed -i '1s/$/,method/; 2,$s/$/,closed-form/' scenes.csv
+  local format bytes
+  for format in csv jsonl; do
+    "$program" sweep scenes.csv --format $format >expected 2>err || [ $? -eq 4 ] || fail "$(cat err)"
+    for bytes in 0 10 5000 "$(wc -c <expected)"; do
+      head -c "$bytes" expected >results
+      refuses 4 "10 of 40 rows have an error" sweep scenes.csv --format $format --resume results
+      cmp results expected || fail "$format: not the same after $bytes bytes"
+    done
+    rm results
+    refuses 4 "10 of 40 rows have an error" sweep scenes.csv --format $format --resume results
+    cmp results expected || fail "$format: not the same from nothing"
+  done
+  { echo friction,traction,peclet,heating,tolerance; yes 0.6,0.7,100,1, | head -50000; } >scenes.csv
+  rm results
+  interrupt TERM 20000 "$program" sweep scenes.csv --jobs 1 --resume results
+  [ $status -eq 143 ] || fail "status $status: $(cat err)"
+  one_line "stopped by a signal: Terminated, after "
+  local rows
+  rows=$(sed -n 's/.*, after \([0-9]*\) rows$/\1/p' err)
+  [ "$(wc -l <results)" -eq $((rows + 1)) ] || fail "$(wc -l <results) lines, said: $(cat err)"
+  run sweep scenes.csv --resume results
+  [ $status -eq 4 ] || fail "$(cat err)"
+  "$program" sweep scenes.csv >expected 2>err || true
+  cmp results expected || fail "not the same after a signal"
+}
+
+# Another table, other options, too many rows, or no file at all are refused, and the file stays as it is.
+ResumesNothingElse() {
+  write_scenes
+  sweeps 4
+  head -3 results.csv >some.csv
+  cp some.csv kept
+  refuses 2 "resume = some.csv is not allowed: it ends with another row" sweep scenes.csv --resume some.csv --formulation printed
+  refuses 2 "it has other columns than the results" sweep scenes.csv --resume some.csv --roller identical
+  refuses 2 "it has other columns than the results" sweep scenes.csv --resume some.csv --columns creep
+  head -2 scenes.csv >few.csv
+  refuses 2 "it has more rows than the table" sweep few.csv --resume some.csv
+  cmp some.csv kept || fail "the file was changed"
+  refuses 2 "resume = . is not allowed: it must be a file" sweep scenes.csv --resume .
+  refuses 2 "resume = /dev/full is not allowed: it must be a file" sweep scenes.csv --resume /dev/full
+  refuses 2 "--output and --resume exclude each other" sweep scenes.csv --resume some.csv --output other.csv
+  refuses 2 "the results would replace the table" sweep scenes.csv --resume scenes.csv
+  mkfifo rows
+  "$program" sweep <rows --resume some.csv 2>first &
+  exec 3>rows
+  cat scenes.csv >&3
+  until [ "$(wc -l <some.csv)" -eq 5 ]; do sleep 0.05; done
+  refuses 1 "cannot write some.csv, to which another sweep appends" sweep scenes.csv --resume some.csv
+  exec 3>&-
+  wait $! || true
+  cmp some.csv results.csv || fail "other results: $(cat first)"
+}
+
+# Any number of parts, also more than rows, and with empty lines among them.
+PartsJoinedAreTheWhole() {
+  write_scenes 3
+  sed -i '3s/$/\n\n  /' scenes.csv
+  local format of part
+  for format in csv jsonl; do
+    "$program" sweep scenes.csv --format $format >expected 2>err || true
+    for of in 1 5 16; do
+      : >joined
+      for part in $(seq $of); do
+        status=0
+        "$program" sweep scenes.csv --format $format --part "$part/$of" >>joined 2>err || status=$?
+        [ $status -eq 0 ] || [ $status -eq 4 ] || fail "part $part of $of: $(cat err)"
+      done
+      cmp joined expected || fail "$of parts of $format are not the whole"
+    done
+  done
+}
+
+PartsOfFilesOnly() {
+  write_scenes
+  local bad
+  for bad in 0/2 3/2 1/0 1 1/ /2 a/b 1.5/2 1/2/3 -1/2 1/1000001 nan/2; do
+    refuses 2 "part = $bad is not allowed: it must be I/N" sweep scenes.csv --part "$bad"
+  done
+  refuses 2 "--part needs the table as a file" sweep --part 1/2 <scenes.csv
+  mkfifo rows
+  cat scenes.csv >rows &
+  refuses 2 "a part can be had of a table in a file only" sweep rows --part 1/2
+}
+
+BadOptions() {
+  write_scenes
+  refuses 2 "given = peclet is not allowed: it must be traction, creep, stick-slip-border, creep-ratio or tangential-load" sweep scenes.csv --given peclet
+  refuses 2 "output = " sweep scenes.csv --output ""
+  refuses 2 "resume = " sweep scenes.csv --resume ""
+  refuses 2 "format = text is not allowed: it must be csv or jsonl" sweep scenes.csv --format text
+  refuses 2 "a quote is not closed" sweep scenes.csv --columns '"a'
+  refuses 2 "unexpected more.csv" sweep scenes.csv more.csv
+  refuses 2 "speed = x is not allowed" sweep scenes.csv --speed x
+}
+
+# One line says that the program waits, only on a terminal and not for a file.
+NoteOnATerminal() { # slow
+  script -qec true /dev/null </dev/null >"$work/script" 2>&1 || { echo "skipped: $(cat "$work/script")"; exit 77; }
+  write_scenes
+  printf 'friction,traction,peclet\n0.6,0.5,100\n\004' | script -qec "'$program' sweep >results.csv" /dev/null >terminal
+  grep -q 'thermoroll: note: the table is read from the terminal' terminal || fail "$(cat terminal)"
+  script -qec "'$program' sweep scenes.csv >results.csv" /dev/null </dev/null >terminal || true
+  ! grep -q 'note:' terminal || fail "$(cat terminal)"
 }
 
 # In SI units, with a half-width or a radius, and a dimensionless row among them.
@@ -581,23 +896,23 @@ WorksWithParallel() { # slow
   [ "$(sort -u hosts | paste -sd' ')" = "far near" ] || fail "hosts: $(cat hosts)"
 }
 
-# Two of eight files lost from the log are done again, and only these.
-ResumesWithParallel() { # slow
+# The chapter's script of an array, each task twice, as if it had been stopped.
+TasksOfAnArray() {
   prepare_parallel
-  sed -n '/^split/,/results.csv$/p' commands | sed 's/10000/20/' >command
-  [ "$(wc -l <command)" = 3 ] || fail "the chapter has other commands: $(cat commands)"
-  bash command 2>err || fail "$(cat err)"
+  sed -n '/^#!\/bin\/sh/,/^# When/p' commands | sed 's|/100|/8|' >task
+  [ "$(grep -c '^thermoroll sweep' task) $(wc -l <task)" = "1 5" ] || fail "the chapter has other commands: $(cat commands)"
+  local task
+  for task in 3 1 2 4 5 6 7 8; do
+    status=0
+    SLURM_ARRAY_TASK_ID=$task sh task 2>err || status=$?
+    [ $status -eq 4 ] || fail "status $status: $(cat err)"
+  done
+  head -c 3000 part-003.csv >cut
+  mv cut part-003.csv
+  SLURM_ARRAY_TASK_ID=3 sh task 2>err || true
+  sed -n 's/^# When all have ended: //p' task >join
+  sh join
   cmp results.csv expected || fail "other results"
-  [ "$(wc -l <sweep.log)" = 9 ] || fail "$(cat sweep.log)"
-  sed -i '/part-a[ad]/d' sweep.log
-  echo half >part-aa.csv.out
-  echo untouched >part-ab.csv.out
-  rm part-ad.csv.out
-  sed -n 2p command >again
-  bash again 2>err || true
-  [ "$(wc -l <sweep.log)" = 9 ] || fail "$(cat sweep.log)"
-  [ "$(cat part-ab.csv.out)" = untouched ] || fail "a file was done twice"
-  [ "$(wc -l <part-aa.csv.out) $(wc -l <part-ad.csv.out)" = "21 21" ] || fail "files were not done again"
 }
 
 "$1"

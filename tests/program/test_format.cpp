@@ -134,7 +134,7 @@ TEST(Output, NoTemperatureThatIsNotFinite) {
   for (const double t : {infinity, -infinity, std::nan("")}) {
     const Curve curve{{{0, 1, 0.1}, {0.25, t, {}}}, true};
     try {
-      curve_csv(curve, {});
+      curve_csv({{0, curve}}, {});
       ADD_FAILURE() << "written: " << t;
     } catch (const NotConverged& refusal) {
       EXPECT_STREQ(refusal.what(), "no finite temperature found at s = 0.25");

@@ -67,6 +67,22 @@ DrawingsAreDescribed() {
   done
 }
 
+# The numbers that installed headers print are those of the report, for all equations, tables and sections.
+NumbersOfInstalledHeaders() {
+  perl -0777 -ne '
+    print "$1 ($2)\n" while /id="(eq:[^"]*)" class="equation".*?class="number">\((\d+)\)/gs;
+    print "$1 Table $2\n" while /<figure[^>]* id="(tbl:[^"]*)".*?<strong>Table.(\d+)/gs;
+    while (/<h\d[^>]*id="(sec:[^"]*)"[^>]*><span class="section-number">([^<]*)/g) {
+      my ($id, $number) = ($1, $2);
+      print "$id ", ($number =~ /^\d/ ? "Section" : "Appendix"), " $number\n";
+    }' "$report" | sort >"$work/expected"
+  [ "$(wc -l <"$work/expected")" -gt 400 ] || fail "hardly any numbers found"
+  mkdir "$work/from"
+  cut -d' ' -f1 "$work/expected" | sed 's/.*/& @& /' >"$work/from/all.hpp"
+  cmake -Dchapters=paper "-Dfrom=$work/from" "-Dto=$work/to" -P paper/references.cmake
+  sed 's/ of the report $//' "$work/to/all.hpp" | diff "$work/expected" - || fail "the report has other numbers"
+}
+
 # The table of the paper's equations has all of them, 1 to 51, and most have a chunk and a test.
 EveryEquationOfThePaperIsListed() {
   local rows="//*[@id='tbl:equations']//*[local-name()='tr'][*[local-name()='td']]" number

@@ -528,15 +528,20 @@ int b;  // @eq:e
 
 ``` {.cpp #part}
 int c;
+  <<inner>>
+```
+
+``` {.cpp #inner title="Within"}
+int d;
 ```
 
 See @lst:part.
 END
   expect '⟨A part of x 2⟩part 1 of 2 ↓' '⟨A part of x 2⟩part 2 of 2 ↑' 'used in ⟨The file 1⟩' \
     'file src/a.cpp · defined at one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
-    'src/a.cpp 3 lines from one.md'
+    'src/a.cpp 4 lines from one.md'
   expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
-    '<details class="expand" style="--indent:2"><summary><a href="#lst:part">'
+    '<details class="expand" style="--indent:2"><summary><a href="#lst:inner">' '  <a href="#lst:part">'
 }
 
 # A chunk is folded to its title, unless it is the first behind a numbered equation of its section or

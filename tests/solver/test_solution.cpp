@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/contact_grid.hpp"
+#include "solver/curves.hpp"
 #include "thermoroll/carter.hpp"
 
 using namespace thermoroll;
@@ -257,6 +258,80 @@ TEST(Solution, ProfilesOfBothMethodsAgreeWithoutHeat) {
   const Curve curve = temperature_curve(solve(scene, closed_form), at, 0);
   for (std::size_t i = 0; i < at.size(); ++i)
     EXPECT_NEAR(x.temperature(static_cast<Eigen::Index>(i)), curve.points[i].temperature, 1e-9);
+}
+
+namespace {
+
+/// Scenes of each kind that has profiles of its own, by the least model and on a coarse grid.
+std::vector<Solution> profiled() {
+  const Scene scene{0.6, 100, 0.5}, cold{0.6, 100, 1e-9};
+  Scene pair = scene, warm = scene, hot = scene;
+  pair.roller = {2, 0.7, 20};
+  warm.roller = {1, 0.5};
+  warm.bulk_difference = 0.01;
+  hot.law = linear_friction({0.05});
+  const Approach rough{.tolerance = 1e-2};
+  return {solve(scene, {traction, 0.5}),  solve(scene, {traction, -0.5}, rough),
+          solve(cold, {traction, 0.3}),   solve(scene, {creep, 0.6}),
+          solve(pair, {creep, 0.1}),      solve(warm, {stick_slip_border, 0.1}, rough),
+          solve(hot, {creep, 0.1}),       solve(hot, {creep, 0.7}, rough),
+          solve(scene, {traction, 1e-6}), solve(scene, {traction, 0.5999999})};
+}
+
+}  // namespace
+
+// At the nodes the series of a plot have the values of the solver, which they interpolate: what a
+// Legendre series of 480 terms loses to rounding is far below 1e-10 of the largest. The temperature
+// is within the error that the curve states.
+TEST(Solution, ProfileAtPointsIsThatOfTheNodes) {
+  for (const Solution& x : profiled()) {
+    const auto& found = std::get<CoupledSolution>(x.found);
+    const GridRules rules(found.unknowns,
+                          {found.value(slip_length), 1 + found.value(stick_slip_border)});
+    const Profile z = profile(found),
+                  y = profile_at(found, {rules.stick.x.reverse(), rules.slip.x});
+    ASSERT_EQ(y.s.size(), z.s.size());
+    for (const auto curve :
+         {&Profile::s, &Profile::pressure, &Profile::traction, &Profile::slip, &Profile::heat_flux})
+      EXPECT_LE(((y.*curve) - (z.*curve)).abs().maxCoeff(), 1e-10 * (z.*curve).abs().maxCoeff());
+    const Profile own = profile(x);
+    const Curve curve = temperature_curve(x, {own.s.begin(), own.s.end()}, 0);
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+      EXPECT_NEAR(curve.points[i].temperature, own.temperature(static_cast<Eigen::Index>(i)),
+                  *curve.points[i].error);
+  }
+}
+
+// Any number of points ascends from edge to edge. Twice as many intervals have every other point in
+// common, though the series are summed in blocks of a thousand.
+TEST(Solution, ProfileHasAnyNumberOfPoints) {
+  std::vector<Solution> all = profiled();
+  all.push_back(solve({0.6, 100, 0}, {traction, 0.5}, closed_form));
+  all.push_back(solve({0.6, 100, 0}, {traction, 0}));
+  for (const Solution& x : all) {
+    const double end = x.scene.bulk_difference == 0 ? 1 : 0;
+    for (const int points : {2, 3, 4, 5, 50}) {
+      const Profile y = profile(x, points);
+      ASSERT_EQ(y.s.size(), points);
+      for (Eigen::Index i = 1; i < points; ++i) EXPECT_LT(y.s(i - 1), y.s(i));
+      EXPECT_LE(std::abs(y.s(0)), 1);
+      EXPECT_EQ(y.s(0) == -1 && y.s(points - 1) == 1, end == 1);
+      for (const auto curve : {&Profile::pressure, &Profile::traction, &Profile::slip,
+                               &Profile::heat_flux, &Profile::temperature})
+        EXPECT_TRUE((y.*curve).allFinite());
+      EXPECT_TRUE(y.heat_flux_1.allFinite() && y.heat_flux_2.allFinite());
+    }
+  }
+  for (const std::size_t i : {std::size_t{0}, std::size_t{3}, all.size() - 2}) {
+    const Profile few = profile(all[i], 2501), many = profile(all[i], 5001);
+    for (const auto curve :
+         {&Profile::s, &Profile::pressure, &Profile::traction, &Profile::slip, &Profile::heat_flux})
+      for (Eigen::Index k = 0; k < 2501; ++k)
+        EXPECT_NEAR((few.*curve)(k), (many.*curve)(2 * k), 1e-13);
+  }
+  EXPECT_THROW(profile(all[0], 1), std::invalid_argument);
+  EXPECT_THROW(profile(all[0], 100001), std::invalid_argument);
+  EXPECT_THROW(profile(solve({0.6, 0.5, 100, 0}, scheme), 100), std::invalid_argument);
 }
 
 // Without heat every method that states errors has the closed form's peaks to within its error,
@@ -611,6 +686,50 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
         c.half_width = exact.value.half_width;
       }
     }
+}
+
+// The scaled creep is typed again here. Whatever is not a creep ratio stays as it is.
+TEST(Solution, CreepRatioIsTheCreepOfItsHalfWidth) {
+  const PhysicalScene c = wheel_on_rail();
+  const double scale = c.shear_modulus * c.half_width / (2 * (1 - c.poisson) * c.load);
+  const Prescribed x = dimensionless(c, {creep, -0.004}, CreepUnit::ratio);
+  EXPECT_NEAR(x.value, -0.004 * scale, 1e-15);
+  EXPECT_EQ(x.quantity, creep);
+  EXPECT_EQ(dimensionless(c, {creep, 0.1}, CreepUnit::scaled).value, 0.1);
+  EXPECT_EQ(dimensionless(c, {traction, 0.1}, CreepUnit::ratio).value, 0.1);
+}
+
+// As above, with the creep ratio given: the scaled creep is another at each half-width. What is
+// given has no error, and the load has one.
+TEST(Solution, ErrorsOfACreepRatioCoverTheHalfWidth) {
+  for (const double ratio : {5e-4, 0.006, 0.02}) {
+    PhysicalScene c = wheel_on_rail();
+    c.expansion *= 10;
+    const auto at = [&](const Approach& approach, bool from_radius) {
+      const Prescribed given = dimensionless(c, {creep, ratio}, CreepUnit::ratio);
+      const Solution x = solve(scene_of(c, 0.6), given, approach);
+      return in_si_units(x, c, from_radius, CreepUnit::ratio);
+    };
+    const FoundInSi exact = at({.tolerance = 1e-9, .method = Method::coupled}, false);
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+      const Approach loose{.tolerance = tolerance};
+      c.half_width =
+          half_width_of_radius(c, exact.value.radius, 0.6, {creep, ratio}, loose, CreepUnit::ratio);
+      const FoundInSi x = at(loose, true);
+      std::vector<double PhysicalResults::*> fields(std::begin(all_in_si), std::end(all_in_si));
+      fields.push_back(&PhysicalResults::tangential_load);
+      fields.push_back(&PhysicalResults::max_temperature_at_m);
+      for (const auto field : fields)
+        EXPECT_NEAR(x.value.*field, exact.value.*field,
+                    *x.error.*field + *exact.error.*field + 1e-15 * exact.value.*field);
+      EXPECT_EQ(x.error->creep_ratio, 0);
+      EXPECT_NEAR(x.value.creep_ratio, ratio, 1e-15 * ratio);
+      const double more =
+          x.error->max_temperature_at_m - at(loose, false).error->max_temperature_at_m;
+      EXPECT_NEAR(more, 2 * x.error->half_width, 1e-3 * x.error->half_width);
+      c.half_width = exact.value.half_width;
+    }
+  }
 }
 
 // Without heat, f times the integral of v p is xi Q: the work of the creep against the force is all

@@ -7,12 +7,12 @@ source tests/common.sh
 upward() {
   grep -rnE '^#include "' "$@" | awk -F'[:"]' '
     BEGIN { split("thermoroll support model solver studies program bench", names, " "); for (k in names) floor[names[k]] = k + 0
-            floor["live"] = floor["studies"] }
+            floor["live"] = floor["c"] = floor["studies"] }
     {
       split($1, from, "/")
       own = from[2] == "include" ? "thermoroll" : from[2]
       to = substr($4, 1, index($4, "/") - 1)
-      if (!(own in floor) || !(to in floor) || floor[to] > floor[own] || own == "bench" && to == "program" || own != to && (own == "live" && to == "studies" || to == "live")) print $1 ": " $4
+      if (!(own in floor) || !(to in floor) || floor[to] > floor[own] || own == "bench" && to == "program" || own != to && ((own == "live" || own == "c") && to == "studies" || to == "live" || to == "c")) print $1 ": " $4
     }'
 }
 

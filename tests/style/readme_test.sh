@@ -45,6 +45,7 @@ VersionIsTold() {
   version=$(sed -n 's/^project(thermoroll VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
   [ -n "$version" ] || fail "no version in CMakeLists.txt"
   [ "$(sed -n 's/^version: //p' CITATION.cff)" = "$version" ] || fail "CITATION.cff has another version"
+  [ "$(sed -n 's/^version = "\(.*\)"/\1/p' src/python/pyproject.toml)" = "$version" ] || fail "pyproject.toml has another version"
   [ "$(sed -n 's/^## \([0-9.]*\).*/\1/p' CHANGELOG.md | head -1)" = "$version" ] || fail "CHANGELOG.md does not begin with $version"
 }
 

@@ -183,6 +183,19 @@ END
   [ "$(head -n 1 src/a.cpp)" = \
     "// Tangled from paper/01-a.md, paper/02-b.md; edit there." ] ||
     fail "header: $(head -n 1 src/a.cpp)"
+
+  chapter 03-c.md <<'END'
+``` {.python file=src/a.py}
+pass
+```
+``` {.fortran file=src/a.f90}
+end
+```
+END
+  tangle 03-c.md
+  [ "$(head -n 1 src/a.py) $(head -n 1 src/a.f90)" = \
+    "# Tangled from paper/03-c.md; edit there. ! Tangled from paper/03-c.md; edit there." ] ||
+    fail "headers: $(head -n 1 src/a.py src/a.f90)"
 }
 
 AppendsInOrder() {

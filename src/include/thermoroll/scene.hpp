@@ -94,6 +94,7 @@ struct Units {
   double slip;         ///< 2(1-nu) P V / (mu a), of v*, m/s
   double heat_flux;    ///< f V 2(1-nu) P^2 / (mu a^2), of v* p*, W/m^2
   double temperature;  ///< heat_flux a / K, of T*, degree C
+  double length = 0;   ///< a, of s and depths, m
 };
 
 /// The dimensionless groups of a scene, @eq:groups.

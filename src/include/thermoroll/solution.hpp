@@ -57,8 +57,10 @@ FoundPeaks peaks(const Solution& x);
 /// The peaks of tractions that are known as series.
 Peaks largest(const SmoothTractions& by, double friction);
 
-/// All profiles along the contact. Throws std::invalid_argument for the scheme.
+/// All profiles along the contact, at the nodes of the solver or at so many points, 2 to 100000,
+/// that suit a plot. Throws std::invalid_argument for the scheme.
 Profile profile(const Solution& x);
+Profile profile(const Solution& x, int points);
 
 /// What is reported of a scene in SI units, beside the dimensionless results.
 struct PhysicalResults {
@@ -72,6 +74,8 @@ struct PhysicalResults {
   double max_temperature_celsius;  ///< largest temperature rise, degree C
   double half_width_over_radius;   ///< a / R
   double dissipation;              ///< power lost to friction per unit length, W/m
+  double tangential_load;          ///< Q, N/m; negative when braking
+  double max_temperature_at_m;     ///< x of the hottest point of the surface, m
 };
 
 /// These results and their estimated absolute errors in the same units, which the scheme does not
@@ -85,9 +89,18 @@ struct FoundInSi {
   std::optional<double> contact_temperature_celsius{};
 };
 
+/// Whether a prescribed creep is xi*, or the fraction xi of the speed.
+enum class CreepUnit { scaled, ratio };
+
+/// What is prescribed of a scene in SI units, dimensionless: a creep ratio as @eq:given-in-si says,
+/// and anything else as it is.
+Prescribed dimensionless(const PhysicalScene& si, const Prescribed& given, CreepUnit unit);
+
 /// Results and peaks of a scene in SI units; x solves scene_of(si, ...).
-/// The half-width of si is exact, or it is that of half_width_of_radius().
-FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius = false);
+/// The half-width of si is exact, or it is that of half_width_of_radius(); a creep ratio that is
+/// given has no error.
+FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius = false,
+                      CreepUnit given = CreepUnit::scaled);
 
 /// An iteration did not converge.
 struct NotConverged : std::runtime_error {
@@ -105,7 +118,8 @@ void require_contact(const Solution& x);
 /// The half-width in m that meets @eq:kappa for a cylinder of this radius (m), with kappa from
 /// solve(); si.half_width is not used. Throws NotConverged, and as solve() does.
 double half_width_of_radius(PhysicalScene si, double radius, double friction,
-                            const Prescribed& given, const Approach& approach);
+                            const Prescribed& given, const Approach& approach,
+                            CreepUnit unit = CreepUnit::scaled);
 
 /// T* at one point, with its estimated absolute error where the method has one.
 struct CurvePoint {

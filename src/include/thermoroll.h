@@ -1,0 +1,162 @@
+// Tangled from paper/K-from-other-languages.md; edit there.
+#ifndef THERMOROLL_H
+#define THERMOROLL_H
+
+// thermoroll for C. Link with -lthermoroll_c. No function throws or ends the program. GSL's error
+// handler, which would abort, is turned off in a program that loads the library.
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define THERMOROLL_EXPORT __attribute__((visibility("default")))
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum thermoroll_quantity { THERMOROLL_TRACTION, THERMOROLL_CREEP, THERMOROLL_STICK_SLIP_BORDER };
+enum thermoroll_roller { THERMOROLL_INSULATED, THERMOROLL_IDENTICAL, THERMOROLL_CONDUCTING };
+enum thermoroll_direction { THERMOROLL_DRIVING, THERMOROLL_BRAKING };
+enum thermoroll_friction_law {
+  THERMOROLL_CONSTANT,
+  THERMOROLL_LINEAR,
+  THERMOROLL_EXPONENTIAL,
+  THERMOROLL_RATIONAL,
+  THERMOROLL_PIECEWISE_LINEAR
+};
+enum thermoroll_branch { THERMOROLL_RISING, THERMOROLL_FALLING };
+enum thermoroll_formulation { THERMOROLL_PRINTED, THERMOROLL_CORRECTED };
+
+enum thermoroll_method {
+  THERMOROLL_AUTO,
+  THERMOROLL_CLOSED_FORM,
+  THERMOROLL_FIRST_ORDER,
+  THERMOROLL_COUPLED,
+  THERMOROLL_GAUSS_CHEBYSHEV
+};
+enum thermoroll_model {
+  THERMOROLL_NO_MODEL = -1,
+  THERMOROLL_MODEL_CLOSED_FORM,
+  THERMOROLL_MODEL_FIRST_ORDER,
+  THERMOROLL_MODEL_COUPLED
+};
+
+enum thermoroll_status {
+  THERMOROLL_DONE = 0,
+  THERMOROLL_FAILED = 1,         ///< no solution or not to the tolerance; memory ran out
+  THERMOROLL_REFUSED = 2,        ///< data out of range
+  THERMOROLL_NOT_CONVERGED = 3,  ///< the published scheme does not converge
+  THERMOROLL_ROWS_FAILED = 4,    ///< of a call: some of its rows have another status than 0
+  THERMOROLL_NO_CONTACT = 5      ///< the solution is no contact
+};
+
+/// A scene and how to solve it; dimensionless. thermoroll_scene_init() sets all members, of which
+/// friction, peclet and given must then be chosen.
+struct thermoroll_scene {
+  uint32_t size;      ///< sizeof(struct thermoroll_scene)
+  int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
+  double given;       ///< its value: Q* or xi*, negative for braking, or c0 in [-1, 1)
+  double friction;    ///< f > 0
+  double peclet;      ///< Pe = V a / 2k > 0
+  double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
+  int32_t roller;     ///< enum thermoroll_roller; insulated: all heat into the half-space
+  int32_t direction;  ///< enum thermoroll_direction; driving. Of a border; others have a sign
+  double conductivity_ratio;    ///< K2 / K1 > 0 of a conducting roller; else 0
+  double heating_2;             ///< H2 >= 0 of a conducting roller; else 0
+  double peclet_2;              ///< Pe2 > 0 of a conducting roller; 0 for that of the half-space
+  double bulk_difference;       ///< Theta, how much warmer a conducting roller is far away; 0
+  int32_t friction_law;         ///< enum thermoroll_friction_law; constant
+  int32_t branch;               ///< enum thermoroll_branch, of a traction with a law; rising
+  double friction_temperature;  ///< T0* of a law, not 0; else 0
+  double friction_floor;        ///< of a law, from 0 to 1 (piecewise linear: its end value); 0
+  double friction_reference_temperature;  ///< of a law, where friction is f; 0
+  int32_t method;                         ///< enum thermoroll_method; auto
+  int32_t formulation;                    ///< enum thermoroll_formulation; corrected
+  double tolerance;                       ///< 1e-11 to 1e-2; 1e-6
+  int32_t nodes;                          ///< of the published scheme, 3 to 5000; 200
+  int32_t unused;                         ///< 0
+};
+
+/// The results of a scene, or their estimated absolute errors; dimensionless.
+struct thermoroll_values {
+  double stick_slip_border, slip_length;       ///< c0, -1 in full slip; 1 - c0 to its own digits
+  double traction;                             ///< Q*, negative when braking
+  double creep_constant, creep;                ///< C; xi*, negative when braking
+  double load_ratio, gamma0;                   ///< kappa; gamma0
+  double heat_integral;                        ///< the integral of v* p*
+  double max_temperature, max_temperature_at;  ///< the largest T* on the surface; s there
+  double eccentricity;                         ///< of the contact's centre from the axis
+  double heat_1, heat_2;  ///< the heat that flows into the half-space; into the roller
+  double traction_limit, creep_at_traction_limit;  ///< of a prescribed traction with a law, or NaN
+};
+
+/// The answer to a scene. The values of a scene that failed are NaN; so are the errors of the
+/// published scheme, which has none.
+struct thermoroll_result {
+  uint32_t size;     ///< sizeof(struct thermoroll_result), set by the caller in the first
+  int32_t status;    ///< enum thermoroll_status
+  int32_t model;     ///< enum thermoroll_model
+  int32_t unknowns;  ///< of the last grid; 0 without one
+  struct thermoroll_values value, error;
+  char message[256];  ///< why it failed, or why this model was enough; ends with a zero
+};
+
+/// The law of all creeps of a scene.
+struct thermoroll_law;
+
+/// How good a law is and where it ends.
+struct thermoroll_law_info {
+  uint32_t size;                    ///< sizeof(struct thermoroll_law_info), set by the caller
+  int32_t status;                   ///< enum thermoroll_status
+  double driving_end, braking_end;  ///< sizes of the creeps where it ends; infinite without an end
+  char message[256];                ///< why there is no law, or why it ends; or empty
+};
+
+/// A law at a creep; dimensionless. Beyond its end the numbers are NaN and the status is 2.
+struct thermoroll_law_value {
+  uint32_t size;           ///< sizeof(struct thermoroll_law_value), set by the caller in the first
+  int32_t status;          ///< 0 or 2
+  double traction, slope;  ///< Q*, with the sign of the creep; dQ*/dxi*, without an error
+  double max_temperature;  ///< the largest T*
+  double stick_slip_border;                                               ///< c0, -1 in full slip
+  double traction_error, max_temperature_error, stick_slip_border_error;  ///< estimated, absolute
+};
+
+/// The version of the library, as "0.2.0".
+THERMOROLL_EXPORT const char* thermoroll_version(void);
+
+/// What a status means, in a few words; never null.
+THERMOROLL_EXPORT const char* thermoroll_message(int status);
+
+/// Set the first `size` bytes of a scene, which is sizeof *scene, to what stands in its comments.
+THERMOROLL_EXPORT void thermoroll_scene_init(struct thermoroll_scene* scene, size_t size);
+
+/// Solve `count` scenes on so many threads, 0 for one on each processor; the answers are the same
+/// for any number. Returns 0 if all are solved, 4 if some are not, each of which tells why. Returns
+/// 2, and writes nothing, if an array is null, the first scene or result has another size, or
+/// threads < 0. Several threads may call it at once.
+THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
+                                       struct thermoroll_result* results, size_t count,
+                                       int threads);
+
+/// The law of a scene for both directions, to the tolerance of the scene, from 1e-7 to 1e-2; its
+/// prescribed quantity, direction, branch and method are not used. Full slip is computed up to
+/// creeps of the size reach > 0, which may be infinite. Null if there is none, and info tells why.
+THERMOROLL_EXPORT struct thermoroll_law* thermoroll_law_new(const struct thermoroll_scene* scene,
+                                                            double reach,
+                                                            struct thermoroll_law_info* info);
+
+/// Evaluate a law at `count` creeps xi*. Returns 0, 4 if some are beyond its end, or 2 as
+/// thermoroll_solve() does. Several threads may evaluate a law at once.
+THERMOROLL_EXPORT int thermoroll_law_evaluate(const struct thermoroll_law* law,
+                                              const double* creeps,
+                                              struct thermoroll_law_value* values, size_t count);
+
+/// Free a law, or do nothing for null.
+THERMOROLL_EXPORT void thermoroll_law_free(struct thermoroll_law* law);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,403 @@
+// Tangled from paper/D-sweeps-and-reliability.md; edit there.
+#include "program/table.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program/exit_status.hpp"
+
+namespace thermoroll {
+namespace {
+
+/// The cell that begins there, which is moved behind the next comma, or to npos.
+std::string plain_cell(const std::string& line, std::size_t& at) {
+  const std::size_t end = line.find(',', at);
+  std::string cell = line.substr(at, end - at);
+  cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
+  cell.erase(cell.find_last_not_of(" \t\r") + 1);
+  at = end == std::string::npos ? end : end + 1;
+  return cell;
+}
+
+/// The same of a cell whose first quote stands before `at`. Throws std::invalid_argument.
+std::string quoted_cell(const std::string& line, std::size_t& at) {
+  std::string cell;
+  for (;; ++at) {
+    const std::size_t quote = line.find('"', at);
+    if (quote == std::string::npos)
+      throw std::invalid_argument("a quote is not closed on its line");
+    cell += line.substr(at, quote - at);
+    at = quote + 1;
+    if (at == line.size() || line[at] != '"') break;
+    cell += '"';
+  }
+  at = line.find_first_not_of(" \t\r", at);
+  if (at != std::string::npos && line[at++] != ',')
+    throw std::invalid_argument("a quote is followed by text: two quotes stand for one");
+  return cell;
+}
+
+bool has_name(const std::vector<std::string>& names, const std::string& name) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& x) { return hyphenated(x) == hyphenated(name); });
+}
+
+std::vector<std::string> names_of(const std::vector<Field>& fields) {
+  std::vector<std::string> names;
+  for (const Field& field : fields) names.push_back(field.name);
+  names.insert(names.end(), {"status", "error"});
+  return names;
+}
+
+const std::vector<std::string>& all_results() {
+  static const std::vector<std::string> names =
+      names_of(csv_fields(Solution{}, FoundInSi{}, {true, true, true}));
+  return names;
+}
+
+struct RowOptions {
+  RowOptions() { add_scene_options(row, values); }
+  SceneOptions values;
+  CLI::App row;
+};
+
+std::string meant(const std::string& name, const std::vector<std::string>& names) {
+  const std::string other = nearest(name, names);
+  return other.empty() ? "" : " (did you mean " + other + "?)";
+}
+
+std::string hint_for(const std::string& name, const CLI::App& options) {
+  for (const auto& [mark, word] : {std::pair(';', "';'"), std::pair('\t', "a tab")})
+    if (name.find(mark) != std::string::npos)
+      return std::string(" (are its fields separated by ") + word + "? only commas separate them)";
+  std::vector<std::string> names = all_results();
+  for (const CLI::Option* option : options.get_options())
+    names.push_back(option->get_name().substr(2));
+  return meant(name, names);
+}
+
+ReadColumn column_of(const std::string& name, const TableOptions& how, const CLI::App& options) {
+  if (has_name(how.keep, name)) return {name, "", true};
+  const std::string option = hyphenated(name);
+  if (option != "help" && options.get_option_no_throw("--" + option) != nullptr)
+    return {name, option};
+  if (has_name(all_results(), name)) return {name, ""};
+  throw std::invalid_argument("the header names what is no option of solve: " + name +
+                              hint_for(name, options) + "; --keep lets a label pass");
+}
+
+std::vector<ReadColumn> read_header(const std::string& line, const TableOptions& how) {
+  const std::string mark = "\xEF\xBB\xBF";  // the byte-order mark
+  std::vector<std::string> names;
+  read_cells(line.substr(line.find(mark) == 0 ? mark.size() : 0), names);
+  if (line.find('\r') < line.find_last_not_of('\r'))
+    throw std::invalid_argument(
+        "the lines end in carriage returns alone: save them with line feeds");
+  const RowOptions options;
+  std::vector<ReadColumn> columns;
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    columns.push_back(column_of(name, how, options.row));
+    if (!seen.insert(hyphenated(name)).second)
+      throw std::invalid_argument("the header names " + name + " twice");
+  }
+  return columns;
+}
+
+/// Whether the table has a column, or the sweep an option, for which this holds.
+template <class Condition>
+bool any_option(const SweepTable& t, Condition holds) {
+  const auto& all = t.how.constants;
+  return std::any_of(t.columns.begin(), t.columns.end(),
+                     [&](const ReadColumn& x) { return holds(x.option); }) ||
+         std::any_of(all.begin(), all.end(), [&](const Setting& x) { return holds(x.option); });
+}
+
+bool has_option(const SweepTable& t, const std::string& name) {
+  return any_option(t, [&](const std::string& option) { return option == name; });
+}
+
+void check_complete(const SweepTable& t) {
+  if (!has_option(t, "friction")) throw std::invalid_argument("the header lacks friction");
+  if (!any_option(t, is_given_option))
+    throw std::invalid_argument("the header lacks traction, creep or stick-slip-border");
+  if (!has_option(t, "peclet") && !any_option(t, is_si_option))
+    throw std::invalid_argument("the header lacks peclet (or data in SI units)");
+  for (const std::string& name : t.how.keep)
+    if (name != "id" && std::none_of(t.columns.begin(), t.columns.end(), [&](const ReadColumn& x) {
+          return x.is_label && hyphenated(x.name) == hyphenated(name);
+        }))
+      throw std::invalid_argument("the header lacks " + name + ", which --keep names");
+}
+
+/// Nothing if the table has no results. Throws std::invalid_argument.
+std::string given_column(const SweepTable& t) {
+  std::vector<std::string> there;
+  bool has_results = !t.how.given.empty();
+  for (const ReadColumn& x : t.columns) {
+    if (is_given_option(x.option)) there.push_back(x.option);
+    has_results = has_results || (x.option.empty() && !x.is_label);
+  }
+  if (!has_results) return "";
+  const std::string given = t.how.given.empty() && there.size() == 1 ? there[0] : t.how.given;
+  if (given.empty())
+    throw std::invalid_argument(
+        "the table has results: --given says which of its columns prescribes, as in --given creep");
+  if (!has_option(t, given))
+    throw std::invalid_argument("given = " + given + " is not allowed: the header lacks it");
+  return given;
+}
+
+std::string value_in(const std::vector<Setting>& row, const std::string& option) {
+  const auto at =
+      std::find_if(row.begin(), row.end(), [&](const Setting& x) { return x.option == option; });
+  return at == row.end() ? "" : at->value;
+}
+
+bool was_filled(const std::string& option, const std::string& given,
+                const std::vector<Setting>& row) {
+  if (is_given_option(option)) return option != given;
+  if (option == "branch") return given != "traction" && given != "tangential-load";
+  const bool si =
+      std::any_of(row.begin(), row.end(), [](const Setting& x) { return is_si_option(x.option); });
+  const std::string roller = value_in(row, "roller");
+  return (si && is_group_option(option)) || (roller != "conducting" && is_roller_option(option));
+}
+
+std::vector<Setting> cell_settings(const SweepTable& t, const std::vector<std::string>& cells) {
+  std::vector<Setting> row;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (!cells[i].empty() && !t.columns[i].option.empty())
+      row.push_back({t.columns[i].option, cells[i]});
+  return row;
+}
+
+void add_constants(std::vector<Setting>& row, const std::vector<Setting>& constants) {
+  const bool prescribes = std::any_of(row.begin(), row.end(),
+                                      [](const Setting& x) { return is_given_option(x.option); });
+  const std::size_t own = row.size();
+  for (const Setting& x : constants) {
+    const bool has_it = std::any_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(own),
+                                    [&](const Setting& y) { return y.option == x.option; });
+    if (!has_it && !(prescribes && is_given_option(x.option))) row.push_back(x);
+  }
+}
+
+void name_fields(SweepTable& t) {
+  t.with = {has_option(t, "roller"), has_option(t, "friction-law"),
+            has_option(t, "bulk-temperature")};
+  std::optional<FoundInSi> physical;
+  if (any_option(t, is_si_option)) physical.emplace();
+  t.fields = names_of(csv_fields(Solution{}, physical, t.with));
+  if (!physical) return;
+  for (std::string& name : t.fields)
+    if (name == "friction_temperature" || name == "friction_reference_temperature") name.clear();
+}
+
+std::optional<std::size_t> place(const std::vector<std::string>& names, const std::string& name) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (hyphenated(names[i]) == hyphenated(name)) return i;
+  return std::nullopt;
+}
+
+std::vector<WrittenColumn> all_columns(const SweepTable& t) {
+  std::vector<WrittenColumn> all;
+  std::set<std::size_t> shown;
+  for (std::size_t i = 0; i < t.columns.size(); ++i) {
+    const ReadColumn& x = t.columns[i];
+    if (x.option.empty() && !x.is_label) continue;
+    const auto field = x.is_label ? std::nullopt : place(t.fields, x.name);
+    if (field) shown.insert(*field);
+    all.push_back({x.name, i, field});
+  }
+  for (std::size_t k = 0; k < t.fields.size(); ++k)
+    if (!t.fields[k].empty() && shown.count(k) == 0) all.push_back({t.fields[k], {}, k});
+  return all;
+}
+
+std::vector<WrittenColumn> wanted_columns(const SweepTable& t) {
+  const std::vector<WrittenColumn> all = all_columns(t);
+  if (t.how.columns.empty()) return all;
+  std::vector<std::string> names;
+  for (const WrittenColumn& x : all) names.push_back(x.name);
+  std::vector<WrittenColumn> wanted;
+  for (const std::string& name : t.how.columns) {
+    const std::optional<std::size_t> at = place(names, name);
+    if (!at)
+      throw std::invalid_argument("columns = " + name + " is not allowed: it must be a column" +
+                                  meant(name, names));
+    wanted.push_back(all[*at]);
+  }
+  return wanted;
+}
+
+std::vector<std::string> values_of(const SweepTable& t, const std::vector<Field>& found,
+                                   const std::string& status, const std::string& error) {
+  std::vector<std::string> values;
+  auto next = found.begin();
+  for (const std::string& name : t.fields) {
+    if (name.empty() && next != found.end()) ++next;
+    const bool is_it = next != found.end() && next->name == name;
+    values.push_back(is_it ? next++->cell : "");
+  }
+  values.end()[-2] = status;
+  values.back() = error;
+  return values;
+}
+
+std::string cell_of(const WrittenColumn& x, const std::vector<std::string>& cells,
+                    const std::vector<std::string>& values) {
+  if (x.cell && *x.cell < cells.size() && !cells[*x.cell].empty()) return cells[*x.cell];
+  return x.field ? values[*x.field] : "";
+}
+
+nlohmann::ordered_json json_of(const std::string& cell, bool is_label) {
+  if (is_label) return cell;
+  if (cell.empty()) return nullptr;
+  if (cell == "true" || cell == "false") return cell == "true";
+  const bool is_whole = cell.find_first_not_of("0123456789") == std::string::npos;
+  if (is_whole && cell.size() < 16) return std::stoll(cell);
+  const std::optional<double> number = to_number(cell);
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(cell);
+}
+
+std::string row_text(const SweepTable& t, const std::vector<std::string>& cells,
+                     const std::vector<std::string>& values) {
+  if (t.how.format == RowFormat::jsonl) {
+    nlohmann::ordered_json o;
+    for (const WrittenColumn& x : t.written) {
+      const bool is_label = x.cell && t.columns[*x.cell].is_label;
+      o[x.name] = json_of(cell_of(x, cells, values), is_label);
+    }
+    return o.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  }
+  std::string row;
+  for (const WrittenColumn& x : t.written) {
+    if (&x != t.written.data()) row += ',';
+    row += quoted(cell_of(x, cells, values));
+  }
+  return row + '\n';
+}
+
+bool has_failed(const SweepTable& t, const std::string& row) {
+  if (t.how.format == RowFormat::jsonl) {
+    const auto o = nlohmann::json::parse(row, nullptr, false);
+    return o.is_object() && o.value("status", 0) != 0;
+  }
+  std::vector<std::string> cells;
+  read_cells(row.substr(0, row.size() - 1), cells);
+  for (std::size_t i = 0; i < std::min(cells.size(), t.written.size()); ++i)
+    if (t.written[i].name == "status") return cells[i] != "0";
+  return false;
+}
+
+}  // namespace
+
+void read_cells(const std::string& line, std::vector<std::string>& cells) {
+  for (std::size_t at = 0; at != std::string::npos;) {
+    const std::size_t first = line.find_first_not_of(" \t", at);
+    const bool is_quoted = first != std::string::npos && line[first] == '"';
+    if (is_quoted) at = first + 1;
+    cells.push_back(is_quoted ? quoted_cell(line, at) : plain_cell(line, at));
+  }
+}
+
+void check_labels(const TableOptions& how) {
+  for (const std::string& name : how.keep)
+    if (has_name(all_results(), name))
+      throw std::invalid_argument("keep = " + name +
+                                  " is not allowed: it must be no name of a result");
+}
+
+std::vector<Setting> settings_of(const SweepTable& t, std::vector<std::string>& cells) {
+  if (cells.size() != t.columns.size())
+    throw std::invalid_argument("the row has " + std::to_string(cells.size()) +
+                                " cells and the header " + std::to_string(t.columns.size()));
+  std::vector<Setting> row = cell_settings(t, cells);
+  add_constants(row, t.how.constants);
+  if (t.given.empty()) return row;
+  const std::vector<Setting> all = row;
+  const auto filled = [&](const std::string& option) { return was_filled(option, t.given, all); };
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (filled(t.columns[i].option)) cells[i].clear();
+  row.erase(
+      std::remove_if(row.begin(), row.end(), [&](const Setting& x) { return filled(x.option); }),
+      row.end());
+  return row;
+}
+
+SceneOptions read_row(const std::vector<Setting>& row) {
+  std::vector<std::string> arguments;
+  arguments.reserve(row.size());
+  for (const Setting& x : row) arguments.push_back("--" + x.option + '=' + x.value);
+  thread_local std::optional<RowOptions> options;
+  if (!options || options->row.parse_order().size() > 10000) options.emplace();
+  options->values = {};
+  try {
+    options->row.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(reworded(error, options->row));
+  }
+  return options->values;
+}
+
+SweepTable table_of(const std::string& header, const TableOptions& how) {
+  check_labels(how);
+  SweepTable t{how, read_header(header, how)};
+  t.given = given_column(t);
+  check_complete(t);
+  name_fields(t);
+  t.written = wanted_columns(t);
+  return t;
+}
+
+std::string header_of(const SweepTable& t) {
+  if (t.how.format == RowFormat::jsonl) return "";
+  std::string row;
+  for (const WrittenColumn& x : t.written) row += (row.empty() ? "" : ",") + quoted(x.name);
+  return row + '\n';
+}
+
+SweepRow answer(const SweepTable& t, const std::string& line) {
+  std::vector<std::string> cells;
+  std::vector<Field> found;
+  try {
+    if (line.size() > longest_line)
+      throw std::invalid_argument("the row has more than " + std::to_string(longest_line) +
+                                  " characters");
+    read_cells(line, cells);
+    if (line.find('\0') != std::string::npos)
+      throw std::invalid_argument("the row holds a null character");
+    const SolvedScene x = solve_scene(read_scene(read_row(settings_of(t, cells))));
+    found = csv_fields(x.solution, x.physical, t.with);
+    require_contact(x.solution);
+    return {row_text(t, cells, values_of(t, found, "0", "")), true};
+  } catch (const std::exception& error) {
+    const std::string status = std::to_string(status_of(error));
+    return {row_text(t, cells, values_of(t, found, status, message_of(error))), false};
+  }
+}
+
+RowsSoFar rows_so_far(const SweepTable& t, std::istream& file, bool has_header) {
+  RowsSoFar x;
+  const std::string header = has_header ? header_of(t) : "";
+  std::string line;
+  for (bool first = !header.empty(); std::getline(file, line) && !file.eof(); first = false) {
+    line += '\n';
+    x.bytes += line.size();
+    if (first && line != header)
+      throw std::invalid_argument("has other columns than the results of this sweep");
+    if (first) continue;
+    ++x.rows;
+    x.failed += has_failed(t, line);
+    x.last = line;
+  }
+  return x;
+}
+
+}  // namespace thermoroll

@@ -1,0 +1,147 @@
+"""python_test.py CASE [ARGUMENT]: one promise of the Python module; the case is a function below."""
+
+import csv
+import io
+import subprocess
+import sys
+
+import numpy as np
+import thermoroll
+
+steel = {"friction": 0.6, "peclet": 4360, "heating": 0.0175}
+
+
+def raises(error, words, function, *arguments, **named):
+    try:
+        function(*arguments, **named)
+    except error as told:
+        assert words in str(told), told
+    else:
+        raise AssertionError(f"no {error.__name__} with {words}")
+
+
+def SameAsTheProgram(program):
+    """Every option of a scene has the effect that it has in a sweep, to the last bit."""
+    rows = [
+        {"traction": 0.5},
+        {"traction": -0.5, "roller": "identical", "method": "coupled"},
+        {"creep": 0.1, "formulation": "printed", "tolerance": 1e-9},
+        {"stick_slip_border": 0.2, "direction": "braking", "method": "first-order"},
+        {"traction": 0.3, "roller": "conducting", "conductivity_ratio": 4.0, "heating_2": 0.05},
+        {"traction": 0.3, "roller": "conducting", "conductivity_ratio": 2.0, "heating_2": 0.05, "peclet_2": 760.0},
+        {"creep": 0.1, "roller": "identical", "bulk_difference": 0.002},
+        {"traction": 0.3, "peclet": 100, "friction_law": "linear", "friction_temperature": 0.02, "branch": "falling"},
+        {"creep": 0.2, "friction_law": "exponential", "friction_temperature": 0.02, "friction_floor": 0.5},
+        {"creep": 0.2, "friction_law": "rational", "friction_temperature": 0.02, "friction_reference_temperature": 0.001},
+        {"creep": 0.2, "friction_law": "piecewise-linear", "friction_temperature": 0.02, "friction_floor": 0.6},
+        {"traction": 0.5, "method": "closed-form"},
+        {"traction": 0.5, "method": "gauss-chebyshev", "formulation": "printed", "nodes": 60},
+        {"traction": 0.7},
+    ]
+    for row in rows:
+        scene = {**steel, **row}
+        words = [part for name, x in scene.items() for part in ("--" + name.replace("_", "-"), str(x))]
+        answer = subprocess.run([program, "solve", "--format", "csv", *words], capture_output=True, text=True)
+        found = thermoroll.solve(**scene)
+        assert found.status == answer.returncode, (row, answer.stderr)
+        if answer.returncode != 0:
+            assert found.messages in answer.stderr and np.isnan(found.creep), found.messages
+            continue
+        expected = next(csv.DictReader(io.StringIO(answer.stdout)))
+        assert found.model == (expected["model"] if found.model else ""), row
+        for name in vars(found.errors):
+            if name in expected and expected[name]:
+                assert getattr(found, name) == float(expected[name]), (row, name)
+                error = expected.get("error_estimate." + name)
+                assert not error or getattr(found.errors, name) == float(error), (row, name)
+
+
+def Broadcasts():
+    traction, peclet = np.array([[0.1], [0.4], [0.7]]), np.array([10.0, 1000.0])
+    roller = np.array([["identical", "insulated"]])
+    found = thermoroll.solve(friction=0.6, traction=traction, peclet=peclet, heating=0.01, roller=roller, threads=2)
+    assert found.creep.shape == found.errors.creep.shape == found.status.shape == found.messages.shape == (3, 2)
+    for i, j in np.ndindex(3, 2):
+        one = thermoroll.solve(friction=0.6, traction=traction[i, 0], peclet=peclet[j], heating=0.01, roller=roller[0, j])
+        assert one.messages == found.messages[i, j] and one.model == found.model[i, j]
+        np.testing.assert_array_equal([one.creep, one.max_temperature, one.errors.creep],
+                                      [found.creep[i, j], found.max_temperature[i, j], found.errors.creep[i, j]])
+    assert (found.status == [[0], [0], [2]] * np.ones((1, 2))).all()
+    assert np.isnan(found.max_temperature[2]).all() and not np.isnan(found.max_temperature[:2]).any()
+    assert found.creep.flags.c_contiguous
+    assert thermoroll.solve(friction=0.6, traction=[], peclet=10).creep.shape == (0,)
+    every_other = thermoroll.solve(friction=0.6, traction=np.array([0.1, 9, 0.4, 9])[::2], peclet=10.0, heating=0.01)
+    assert every_other.traction.tolist() == [0.1, 0.4]
+    thermoroll._block = 4  # a long array is cut into blocks
+    blocks = thermoroll.solve(friction=0.6, traction=np.linspace(-0.5, 0.5, 11), peclet=10.0)
+    assert (blocks.status == 0).all() and np.allclose(blocks.traction, np.linspace(-0.5, 0.5, 11), atol=0)
+
+
+def Scalars():
+    found = thermoroll.solve(**steel, traction=0.5, method="coupled")
+    assert isinstance(found.creep, float) and isinstance(found.messages, str)
+    assert found.model == "coupled" and found.unknowns > 10 and found.status == 0
+    assert found.traction == 0.5 and found.errors.traction == 0
+    assert found.heat_1 == found.heat_integral and found.heat_2 == 0
+
+
+def RefusesWhatIsNoWord():
+    raises(ValueError, "roller must be one of insulated, identical, conducting", thermoroll.solve, **steel, traction=0.1, roller="steel")
+    raises(ValueError, "method must be one of", thermoroll.solve, **steel, traction=0.1, method=["auto", "closed_form"])
+    raises(TypeError, "exactly one of traction, creep and stick_slip_border", thermoroll.solve, **steel)
+    raises(TypeError, "exactly one of", thermoroll.solve, **steel, traction=0.1, creep=0.1)
+    raises(TypeError, "nodes must be whole numbers", thermoroll.solve, **steel, traction=0.1, nodes=20.5)
+    raises(ValueError, "threads must be zero", thermoroll.solve, **steel, traction=0.1, threads=-1)
+    raises(ValueError, "broadcast", thermoroll.solve, friction=[0.5, 0.6], traction=[0.1] * 3, peclet=10)
+
+
+def LawIsThatOfTheLibrary():
+    """The law agrees with solve() within both errors, and tells where it ends."""
+    law = thermoroll.law(**steel, tolerance=1e-4, reach=2.0)
+    creeps = np.array([[-1.5, -0.3, -0.01], [0.0, 0.05, 1.9]])
+    values, found = law(creeps), thermoroll.solve(**steel, creep=creeps)
+    assert values.traction.shape == (2, 3) and (values.status == 0).all() and (found.status == 0).all()
+    assert (abs(values.traction - found.traction) <= values.traction_error + found.errors.traction).all()
+    hotter = values.max_temperature_error + found.errors.max_temperature
+    assert (abs(values.max_temperature - found.max_temperature) <= hotter).all()
+    borders = values.stick_slip_border_error + found.errors.stick_slip_border
+    assert (abs(values.stick_slip_border - found.stick_slip_border) <= borders).all()
+    near = law([0.05 - 1e-5, 0.05 + 1e-5]).traction
+    assert abs((near[1] - near[0]) / 2e-5 - values.slope[1, 1]) < 1e-3
+    assert law.driving_end == 2 and "driving: " in law.message
+    beyond = law(2.5)
+    assert beyond.status == 2 and np.isnan(beyond.traction) and isinstance(law(0.1).traction, float)
+
+
+def LawsThatAreNot():
+    raises(ValueError, "tolerance = 1 is not allowed", thermoroll.law, **steel, tolerance=1.0)
+    raises(ValueError, "single numbers", thermoroll.law, friction=[0.5, 0.6], peclet=10)
+    raises(ValueError, "reach", thermoroll.law, **steel, reach=-1.0)
+    for _ in range(3):  # laws that are dropped are freed once
+        law = thermoroll.law(**steel, tolerance=1e-2, reach=1.0)
+        law._free()
+        assert not law._free.alive
+
+
+def Throughput(program):
+    """A hundred thousand scenes take no longer than in a program in C++, but for a tenth."""
+    import tempfile
+    import time
+
+    random, count = np.random.default_rng(1), 100_000
+    scenes = np.stack([random.uniform(0.05, 0.55, count), 10 ** random.uniform(0, 5, count), 10 ** random.uniform(-6, -2, count)], 1)
+    with tempfile.NamedTemporaryFile() as file:
+        scenes.tofile(file.name)
+        cpp, python = [], []
+        for _ in range(3):
+            cpp.append(float(subprocess.run([program, file.name], capture_output=True, text=True, check=True).stdout))
+            begin = time.perf_counter()
+            found = thermoroll.solve(friction=0.6, traction=scenes[:, 0], peclet=scenes[:, 1], heating=scenes[:, 2])
+            python.append(time.perf_counter() - begin)
+            assert (found.status == 0).all()
+    ratio = min(cpp) / min(python)
+    print(f"C++ {min(cpp):.2f} s, Python {min(python):.2f} s, ratio {ratio:.3f}")
+    assert ratio >= 0.9
+
+
+globals()[sys.argv[1]](*sys.argv[2:])

@@ -1,0 +1,467 @@
+// The functions of thermoroll.h against the C++ library that they stand for, and their refusals.
+#include <thermoroll.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "thermoroll/thermoroll.hpp"
+
+namespace {
+
+using thermoroll::Direction;
+using thermoroll::Formulation;
+using thermoroll::LawKind;
+using thermoroll::LawOfFriction;
+using thermoroll::Method;
+using thermoroll::Prescribed;
+using thermoroll::Quantity;
+using thermoroll::Scene;
+using thermoroll::Solution;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+thermoroll_scene steel() {
+  thermoroll_scene x;
+  thermoroll_scene_init(&x, sizeof x);
+  x.given = 0.5;
+  x.friction = 0.6;
+  x.peclet = 4360;
+  x.heating = 0.0175;
+  return x;
+}
+
+thermoroll_scene hot() {
+  thermoroll_scene x = steel();
+  x.peclet = 100;
+  x.given = 0.3;
+  x.friction_law = THERMOROLL_LINEAR;
+  x.friction_temperature = 0.02;
+  return x;
+}
+
+thermoroll_scene conducting() {
+  thermoroll_scene x = steel();
+  x.roller = THERMOROLL_CONDUCTING;
+  x.conductivity_ratio = 4;
+  x.heating_2 = 0.05;
+  return x;
+}
+
+thermoroll_scene scheme() {
+  thermoroll_scene x = steel();
+  x.method = THERMOROLL_GAUSS_CHEBYSHEV;
+  x.formulation = THERMOROLL_PRINTED;
+  x.nodes = 40;
+  return x;
+}
+
+std::vector<thermoroll_result> solved(const std::vector<thermoroll_scene>& scenes,
+                                      int threads = 1) {
+  std::vector<thermoroll_result> results(scenes.size());
+  results[0].size = sizeof results[0];
+  const int status = thermoroll_solve(scenes.data(), results.data(), scenes.size(), threads);
+  const bool all = std::all_of(results.begin(), results.end(),
+                               [](const thermoroll_result& x) { return x.status == 0; });
+  EXPECT_EQ(status, all ? THERMOROLL_DONE : THERMOROLL_ROWS_FAILED);
+  return results;
+}
+
+thermoroll_result answer(const thermoroll_scene& scene) { return solved({scene})[0]; }
+
+std::vector<double> numbers(const thermoroll_values& of) {
+  std::vector<double> all(sizeof of / sizeof(double));
+  std::memcpy(all.data(), &of, sizeof of);
+  return all;
+}
+
+void expect_nan(const thermoroll_values& values) {
+  for (const double x : numbers(values)) EXPECT_TRUE(std::isnan(x)) << x;
+}
+
+// Scenes of all kinds, and what they are in C++.
+struct Pair {
+  thermoroll_scene c;
+  Scene scene;
+  Prescribed given;
+  thermoroll::Approach approach{};
+};
+
+std::vector<Pair> pairs() {
+  const Scene plain{0.6, 4360, 0.0175};
+  Scene alike = plain, other = plain, soft{0.6, 100, 0.0175}, brakes = plain, warm = plain;
+  alike.roller = {1, 0.0175};
+  other.roller = {4, 0.05, 760};
+  warm.roller = {1, 0.0175};
+  warm.bulk_difference = 0.001;
+  soft.law = LawOfFriction{LawKind::linear, {0.02}};
+  brakes.direction = Direction::braking;
+  std::vector<Pair> all;
+  all.push_back({steel(), plain, {Quantity::traction, 0.5}});
+  all.push_back({steel(), alike, {Quantity::creep, -0.1}, {Formulation::corrected, 1e-3}});
+  all.back().c.roller = THERMOROLL_IDENTICAL;
+  all.back().c.quantity = THERMOROLL_CREEP;
+  all.back().c.given = -0.1;
+  all.back().c.tolerance = 1e-3;
+  all.push_back({conducting(), other, {Quantity::traction, 0.5}});
+  all.back().c.peclet_2 = 760;
+  all.push_back({steel(), warm, {Quantity::traction, 0.5}});
+  all.back().c.roller = THERMOROLL_IDENTICAL;
+  all.back().c.bulk_difference = 0.001;
+  all.push_back({hot(), soft, {Quantity::traction, 0.3}});
+  all.push_back({hot(), soft, {Quantity::traction, 0.3, thermoroll::Branch::falling}});
+  all.back().c.branch = THERMOROLL_FALLING;
+  all.push_back({steel(), brakes, {Quantity::stick_slip_border, 0.2}});
+  all.back().c.quantity = THERMOROLL_STICK_SLIP_BORDER;
+  all.back().c.given = 0.2;
+  all.back().c.direction = THERMOROLL_BRAKING;
+  all.push_back({scheme(),
+                 plain,
+                 {Quantity::traction, 0.5},
+                 {Formulation::printed, 1e-6, Method::gauss_chebyshev, 40}});
+  return all;
+}
+
+// The bytes of members are the binary interface: they may be appended to and never moved.
+TEST(Interface, StructuresAreFixed) {
+  EXPECT_EQ(sizeof(thermoroll_scene), 136U);
+  EXPECT_EQ(offsetof(thermoroll_scene, given), 8U);
+  EXPECT_EQ(offsetof(thermoroll_scene, conductivity_ratio), 48U);
+  EXPECT_EQ(offsetof(thermoroll_scene, friction_temperature), 88U);
+  EXPECT_EQ(offsetof(thermoroll_scene, tolerance), 120U);
+  EXPECT_EQ(sizeof(thermoroll_values), 15 * sizeof(double));
+  EXPECT_EQ(offsetof(thermoroll_values, max_temperature), 64U);
+  EXPECT_EQ(sizeof(thermoroll_result), 512U);
+  EXPECT_EQ(offsetof(thermoroll_result, value), 16U);
+  EXPECT_EQ(offsetof(thermoroll_result, error), 136U);
+  EXPECT_EQ(offsetof(thermoroll_result, message), 256U);
+  EXPECT_EQ(sizeof(thermoroll_law_info), 280U);
+  EXPECT_EQ(offsetof(thermoroll_law_info, message), 24U);
+  EXPECT_EQ(sizeof(thermoroll_law_value), 64U);
+  EXPECT_EQ(offsetof(thermoroll_law_value, traction), 8U);
+  EXPECT_EQ(THERMOROLL_PIECEWISE_LINEAR, 4);
+  EXPECT_EQ(THERMOROLL_GAUSS_CHEBYSHEV, 4);
+  EXPECT_EQ(THERMOROLL_MODEL_COUPLED, 2);
+}
+
+void expect_same(const thermoroll::Results& expected, const thermoroll_values& found) {
+  for (int k = 0; k < expected.size(); ++k)
+    EXPECT_EQ(expected[k], numbers(found)[static_cast<std::size_t>(k)]) << "result " << k;
+}
+
+TEST(Interface, SameAsTheLibrary) {
+  for (const Pair& pair : pairs()) {
+    const Solution x = thermoroll::solve(pair.scene, pair.given, pair.approach);
+    const thermoroll_result found = answer(pair.c);
+    ASSERT_EQ(found.status, 0) << found.message;
+    EXPECT_EQ(found.size, sizeof found);
+    expect_same(x.value, found.value);
+    if (x.error)
+      expect_same(*x.error, found.error);
+    else
+      expect_nan(found.error);
+    EXPECT_EQ(found.model, x.model ? static_cast<int>(*x.model) : THERMOROLL_NO_MODEL);
+    EXPECT_EQ(found.message, x.reason);
+    const auto* coupled = std::get_if<thermoroll::CoupledSolution>(&x.found);
+    EXPECT_EQ(found.unknowns, x.model == thermoroll::Model::coupled ? coupled->unknowns : 0);
+  }
+}
+
+// The heat into both bodies is the whole, to the rounding of a product and a sum.
+TEST(Interface, HeatIsShared) {
+  for (const Pair& pair : pairs()) {
+    const thermoroll_result x = answer(pair.c);
+    const double heat = x.value.heat_integral;
+    EXPECT_NEAR(x.value.heat_1 + x.value.heat_2, heat, 1e-15 * heat);
+    EXPECT_EQ(x.value.heat_2 == 0, pair.scene.roller.conductivity_ratio == 0);
+  }
+  EXPECT_EQ(answer(pairs()[1].c).value.heat_1, answer(pairs()[1].c).value.heat_2);
+  const thermoroll_result crossing =
+      answer(pairs()[3].c);  // the warmer roller keeps less than half
+  EXPECT_GT(crossing.value.heat_1, 0.55 * crossing.value.heat_integral);
+  EXPECT_GE(crossing.error.heat_1, crossing.error.heat_integral);
+}
+
+TEST(Interface, LargestTractionIsTold) {
+  thermoroll_scene scene = hot();
+  const thermoroll_result driving = answer(scene);
+  EXPECT_GT(driving.value.traction_limit, 0.3);
+  EXPECT_GT(driving.value.creep_at_traction_limit, driving.value.creep);
+  scene.given = -0.3;
+  const thermoroll_result braking = answer(scene);
+  EXPECT_LT(braking.value.traction_limit, -0.3);
+  EXPECT_LT(braking.value.creep_at_traction_limit, braking.value.creep);
+  EXPECT_GT(braking.error.traction_limit, 0);
+  EXPECT_GT(braking.error.creep_at_traction_limit, 0);
+  EXPECT_TRUE(std::isnan(answer(steel()).value.traction_limit));
+}
+
+TEST(Interface, FailedRowsAreNaN) {
+  thermoroll_scene refused = steel(), unresolved = steel(), diverges = scheme(), lifts = scheme();
+  refused.friction = -1;
+  unresolved.heating = 1e6;
+  unresolved.peclet = 100;
+  diverges.heating = 30;
+  lifts.heating = 30;
+  lifts.peclet = 1000;
+  lifts.nodes = 200;
+  const auto rows = solved({steel(), refused, unresolved, diverges, lifts, steel()}, 2);
+  EXPECT_EQ(rows[1].status, THERMOROLL_REFUSED);
+  EXPECT_STREQ(rows[1].message, "friction = -1 is not allowed: it must be positive");
+  EXPECT_EQ(rows[2].status, THERMOROLL_FAILED) << rows[2].message;
+  EXPECT_EQ(rows[3].status, THERMOROLL_NOT_CONVERGED) << rows[3].message;
+  EXPECT_EQ(rows[4].status, THERMOROLL_NO_CONTACT) << rows[4].message;
+  for (std::size_t k = 1; k < 5; ++k) {
+    expect_nan(rows[k].value);
+    expect_nan(rows[k].error);
+    EXPECT_EQ(rows[k].model, THERMOROLL_NO_MODEL);
+    EXPECT_EQ(rows[k].unknowns, 0);
+    EXPECT_GT(std::strlen(rows[k].message), 10U);
+  }
+  EXPECT_EQ(std::memcmp(&rows[0], &rows[5], sizeof rows[0]), 0);
+}
+
+// The longest refusal of the library is told to its end.
+TEST(Interface, MessagesAreWhole) {
+  thermoroll_scene scene = hot();
+  scene.roller = THERMOROLL_IDENTICAL;
+  scene.bulk_difference = 0.001;
+  const std::string message = answer(scene).message;
+  EXPECT_EQ(message.substr(message.find_last_of(' ')), " there");
+  for (int status = 0; status <= 5; ++status)
+    EXPECT_STRNE(thermoroll_message(status), thermoroll_message(6));
+  EXPECT_STREQ(thermoroll_message(-1), thermoroll_message(6));
+  EXPECT_STREQ(thermoroll_message(0), "done");
+}
+
+// A few hundred scenes of very different cost, by any number of threads and by two callers at once.
+TEST(Interface, AnyNumberOfThreads) {
+  std::vector<thermoroll_scene> scenes;
+  for (int k = 0; k < 60; ++k) {
+    scenes.push_back(steel());
+    scenes.back().given = 0.01 * k - 0.3;
+    scenes.back().heating = k % 3 == 0 ? 1.0 : 1e-5;
+    scenes.back().friction = k % 10 == 9 ? -1 : 0.6;
+  }
+  const auto alone = solved(scenes, 1);
+  const auto same = [&](const std::vector<thermoroll_result>& x) {
+    return std::memcmp(x.data(), alone.data(), x.size() * sizeof x[0]) == 0;
+  };
+  for (const int threads : {0, 2, 7, 1000}) EXPECT_TRUE(same(solved(scenes, threads))) << threads;
+  bool other_is_same = false;
+  std::thread other([&] { other_is_same = same(solved(scenes, 2)); });
+  EXPECT_TRUE(same(solved(scenes, 2)));
+  other.join();
+  EXPECT_TRUE(other_is_same);
+}
+
+TEST(Interface, RefusesOtherStructures) {
+  const thermoroll_scene scene = steel();
+  thermoroll_scene longer = scene;
+  longer.size += 8;
+  thermoroll_result result{};
+  result.size = sizeof result;
+  result.status = 77;
+  thermoroll_result shorter = result;
+  shorter.size -= 8;
+  EXPECT_EQ(thermoroll_solve(nullptr, &result, 1, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_solve(&scene, nullptr, 1, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_solve(&longer, &result, 1, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_solve(&scene, &shorter, 1, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_solve(&scene, &result, 1, -1), THERMOROLL_REFUSED);
+  EXPECT_EQ(result.status, 77);
+  EXPECT_EQ(shorter.status, 77);
+  EXPECT_EQ(thermoroll_solve(nullptr, nullptr, 0, 1), THERMOROLL_DONE);
+  EXPECT_EQ(thermoroll_solve(&scene, &result, 1, 1), THERMOROLL_DONE);
+}
+
+TEST(Interface, DefaultsAreThoseOfTheLibrary) {
+  const thermoroll_scene x = steel();
+  const thermoroll::Approach approach;
+  EXPECT_EQ(x.size, sizeof x);
+  EXPECT_EQ(x.tolerance, approach.tolerance);
+  EXPECT_EQ(x.nodes, approach.nodes);
+  EXPECT_EQ(x.formulation, static_cast<int>(approach.formulation));
+  EXPECT_EQ(x.method, static_cast<int>(approach.method));
+  EXPECT_EQ(x.quantity, THERMOROLL_TRACTION);
+  thermoroll_scene whole = x;
+  whole.tolerance = 0.25;
+  thermoroll_scene_init(&whole, offsetof(thermoroll_scene, tolerance));  // an older caller's
+  EXPECT_EQ(whole.size, offsetof(thermoroll_scene, tolerance));
+  EXPECT_EQ(whole.friction, 0);
+  EXPECT_EQ(whole.tolerance, 0.25);
+  thermoroll_scene_init(nullptr, sizeof x);
+  EXPECT_STREQ(thermoroll_version(), "0.2.0");
+}
+
+// Each member has an effect on a scene that uses it: another answer, or a refusal that names it.
+template <class Number>
+void expect_effect(const thermoroll_scene& scene, Number thermoroll_scene::*member,
+                   std::type_identity_t<Number> other, const char* refusal = "") {
+  const thermoroll_result before = answer(scene);
+  ASSERT_EQ(before.status, 0) << before.message;
+  thermoroll_scene changed = scene;
+  changed.*member = other;
+  const thermoroll_result after = answer(changed);
+  if (*refusal != 0) {
+    EXPECT_EQ(after.status, THERMOROLL_REFUSED) << refusal;
+    EXPECT_NE(std::string(after.message).find(refusal), std::string::npos) << after.message;
+    return;
+  }
+  EXPECT_EQ(after.status, 0) << after.message;
+  EXPECT_NE(std::memcmp(&before, &after, sizeof before), 0);
+}
+
+TEST(Interface, EveryMemberIsRead) {
+  using S = thermoroll_scene;
+  expect_effect(steel(), &S::quantity, THERMOROLL_CREEP);
+  expect_effect(steel(), &S::given, 0.4);
+  expect_effect(steel(), &S::friction, 0.7);
+  expect_effect(steel(), &S::peclet, 4000);
+  expect_effect(steel(), &S::heating, 0.02);
+  expect_effect(steel(), &S::roller, THERMOROLL_IDENTICAL);
+  expect_effect(conducting(), &S::conductivity_ratio, 3);
+  expect_effect(conducting(), &S::heating_2, 0.04);
+  expect_effect(conducting(), &S::peclet_2, 5000);
+  expect_effect(conducting(), &S::bulk_difference, 0.0001);
+  expect_effect(hot(), &S::friction_law, THERMOROLL_RATIONAL);
+  expect_effect(hot(), &S::branch, THERMOROLL_FALLING);
+  expect_effect(hot(), &S::friction_temperature, 0.03);
+  S decaying = hot();
+  decaying.friction_law = THERMOROLL_EXPONENTIAL;
+  expect_effect(decaying, &S::friction_floor, 0.8);
+  expect_effect(decaying, &S::friction_reference_temperature, -0.001);
+  expect_effect(steel(), &S::method, THERMOROLL_CLOSED_FORM);
+  expect_effect(steel(), &S::formulation, THERMOROLL_PRINTED);
+  expect_effect(steel(), &S::tolerance, 1e-9);
+  expect_effect(scheme(), &S::nodes, 60);
+  S border = steel();
+  border.quantity = THERMOROLL_STICK_SLIP_BORDER;
+  border.given = 0.2;
+  expect_effect(border, &S::direction, THERMOROLL_BRAKING);
+}
+
+TEST(Interface, RefusesWhatHasNoEffect) {
+  using S = thermoroll_scene;
+  const char* roller = "for a conducting roller only";
+  const char* law = "for friction that depends on temperature";
+  expect_effect(steel(), &S::conductivity_ratio, 1, roller);
+  expect_effect(steel(), &S::heating_2, 1, roller);
+  expect_effect(steel(), &S::peclet_2, 1, roller);
+  expect_effect(steel(), &S::friction_temperature, 1, law);
+  expect_effect(steel(), &S::friction_floor, 1, law);
+  expect_effect(steel(), &S::friction_reference_temperature, 1, law);
+  expect_effect(steel(), &S::direction, THERMOROLL_BRAKING, "contradicts");
+  expect_effect(steel(), &S::branch, THERMOROLL_FALLING, "branch");
+  expect_effect(steel(), &S::unused, 1, "unused");
+  expect_effect(conducting(), &S::conductivity_ratio, 0, "conductivity_ratio = 0");
+  S creep = hot();
+  creep.quantity = THERMOROLL_CREEP;
+  expect_effect(creep, &S::branch, THERMOROLL_FALLING, "branch = falling is for a given traction");
+}
+
+TEST(Interface, RefusesNumbersThatAreNoWords) {
+  using S = thermoroll_scene;
+  const std::pair<int32_t S::*, std::string> words[] = {
+      {&S::quantity, "quantity"},         {&S::roller, "roller"}, {&S::direction, "direction"},
+      {&S::friction_law, "friction_law"}, {&S::branch, "branch"}, {&S::method, "method"},
+      {&S::formulation, "formulation"}};
+  for (const auto& [member, name] : words) {
+    expect_effect(steel(), member, -1, (name + " = -1 is not allowed").c_str());
+    expect_effect(steel(), member, 5, (name + " = 5 is not allowed").c_str());
+  }
+}
+
+TEST(Interface, RefusesWhatIsNoNumber) {
+  using S = thermoroll_scene;
+  for (double S::*member :
+       {&S::given, &S::friction, &S::peclet, &S::heating, &S::tolerance, &S::conductivity_ratio,
+        &S::heating_2, &S::peclet_2, &S::bulk_difference})
+    for (const double x : {std::nan(""), infinity}) {
+      S scene = conducting();
+      scene.*member = x;
+      EXPECT_EQ(answer(scene).status, THERMOROLL_REFUSED);
+    }
+  for (double S::*member :
+       {&S::friction_temperature, &S::friction_floor, &S::friction_reference_temperature}) {
+    S scene = hot();
+    scene.*member = std::nan("");
+    EXPECT_EQ(answer(scene).status, THERMOROLL_REFUSED);
+  }
+}
+
+thermoroll_law* law_of(const thermoroll_scene& scene, double reach, thermoroll_law_info& info) {
+  info = {};
+  info.size = sizeof info;
+  return thermoroll_law_new(&scene, reach, &info);
+}
+
+TEST(Interface, LawIsThatOfTheLibrary) {
+  thermoroll_scene scene = steel();
+  scene.tolerance = 1e-3;
+  thermoroll_law_info info;
+  thermoroll_law* law = law_of(scene, 2, info);
+  ASSERT_NE(law, nullptr) << info.message;
+  const auto expected = thermoroll::creep_law({0.6, 4360, 0.0175}, Formulation::corrected, 1e-3, 2);
+  EXPECT_EQ(info.status, 0);
+  EXPECT_EQ(info.driving_end, expected.driving.last_creep);
+  EXPECT_EQ(info.braking_end, expected.braking.last_creep);
+  EXPECT_EQ(info.message,
+            "driving: " + expected.driving.reason + "; braking: " + expected.braking.reason);
+  const std::vector<double> creeps{-1.5, -0.1, 0, 0.2, 1, 1e9, std::nan("")};
+  std::vector<thermoroll_law_value> values(creeps.size());
+  values[0].size = sizeof values[0];
+  EXPECT_EQ(thermoroll_law_evaluate(law, creeps.data(), values.data(), creeps.size()), 4);
+  EXPECT_EQ(thermoroll_law_evaluate(law, creeps.data(), values.data(), 5), 0);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto x = thermoroll::evaluate(expected, creeps[k]);
+    const double unit = (creeps[k] < 0 ? expected.braking : expected.driving).unit_creep;
+    ASSERT_TRUE(x);
+    EXPECT_EQ(values[k].status, 0);
+    EXPECT_EQ(values[k].traction, x->traction);
+    EXPECT_EQ(values[k].slope, x->slope);
+    EXPECT_EQ(values[k].max_temperature, x->temperature);
+    EXPECT_EQ(values[k].stick_slip_border, x->border);
+    EXPECT_EQ(values[k].traction_error, expected.traction_error);
+    EXPECT_EQ(values[k].max_temperature_error,
+              expected.temperature_error * std::max(1.0, std::abs(creeps[k]) / unit));
+    EXPECT_EQ(values[k].stick_slip_border_error, x->border == -1 ? 0 : expected.border_error);
+  }
+  for (std::size_t k = 5; k < creeps.size(); ++k) {
+    EXPECT_EQ(values[k].status, THERMOROLL_REFUSED);
+    EXPECT_TRUE(std::isnan(values[k].traction + values[k].max_temperature_error));
+  }
+  thermoroll_law_free(law);
+}
+
+TEST(Interface, LawsThatAreNot) {
+  thermoroll_law_info info;
+  thermoroll_scene scene = steel();
+  scene.tolerance = 1e-9;
+  EXPECT_EQ(law_of(scene, infinity, info), nullptr);
+  EXPECT_EQ(info.status, THERMOROLL_REFUSED);
+  EXPECT_NE(std::string(info.message).find("1e-09 is not allowed"), std::string::npos)
+      << info.message;
+  EXPECT_TRUE(std::isnan(info.driving_end));
+  scene.size = 1;
+  EXPECT_EQ(law_of(scene, infinity, info), nullptr);
+  EXPECT_STREQ(info.message, "no scene of this size");
+  EXPECT_EQ(thermoroll_law_new(&scene, infinity, nullptr), nullptr);
+  thermoroll_law_value value{};
+  value.size = sizeof value;
+  const double creep = 0;
+  EXPECT_EQ(thermoroll_law_evaluate(nullptr, &creep, &value, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_law_evaluate(nullptr, nullptr, nullptr, 0), THERMOROLL_DONE);
+  thermoroll_law_free(nullptr);
+}
+
+}  // namespace

@@ -1,0 +1,42 @@
+// What may have been meant by a misspelt name.
+#include "program/scene_options.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+using thermoroll::nearest;
+
+// Every word that is one letter away from a name leads to it, by any of the four mistakes, and no
+// word that is further away than a fifth of its letters.
+TEST(SceneOptions, NearestNameIsAnEditAway) {
+  const std::vector<std::string> names{"friction", "traction", "peclet", "stick-slip-border"};
+  for (const std::string& name : names)
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      const std::string head = name.substr(0, i), tail = name.substr(i);
+      EXPECT_EQ(nearest(head + tail.substr(1), names), name);
+      EXPECT_EQ(nearest(head + 'x' + tail, names), name);
+      EXPECT_EQ(nearest(head + 'x' + tail.substr(1), names), name);
+      std::string swapped = name;
+      std::swap(swapped[i], swapped[(i + 1) % name.size()]);
+      if (i + 1 < name.size()) {
+        EXPECT_EQ(nearest(swapped, names), name);
+      }
+    }
+  EXPECT_EQ(nearest("peclet", names), "peclet");
+  EXPECT_EQ(nearest("pecxxt", names), "");  // two of six
+  EXPECT_EQ(nearest("stock-slop-bordar", names), "stick-slip-border");
+  EXPECT_EQ(nearest("stock-slop-bardar", names), "");  // four of seventeen
+  EXPECT_EQ(nearest(std::string(100000, 'x'), names), "");
+  EXPECT_EQ(nearest("", names), "");
+}
+
+// The nearer name counts, the first of two that are as near, and no name of a word of two letters.
+TEST(SceneOptions, NearestNameIsTheNearer) {
+  EXPECT_EQ(nearest("speed-b", {"speed-ax", "speed-a", "speed-c"}), "speed-a");
+  EXPECT_EQ(nearest("heating-two", {"heating-ty", "heating-too"}), "heating-too");
+  EXPECT_EQ(nearest("xt", {"at"}), "");
+  EXPECT_EQ(nearest("too", {"to"}), "to");
+}
