@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <initializer_list>
 #include <new>

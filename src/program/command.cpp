@@ -178,7 +178,7 @@ void check_names(const Options& o) {
     for (const auto& [other, name] : others)
       if (!name.empty() && same_file(file, name))
         throw std::invalid_argument(std::string(option) + " and " + other + " are the same file, " +
-                                    file);
+                                    name);
     others.emplace_back(option, file);
   }
 }

@@ -1873,7 +1873,7 @@ NoInputIsReplaced() {
   write_wheel
   cp wheel.toml kept.toml
   ln -s wheel.toml link.toml
-  refuses 2 "--output and --config are the same file, ./link.toml" solve --config wheel.toml --output ./link.toml
+  refuses 2 "--output and --config are the same file, wheel.toml" solve --config wheel.toml --output ./link.toml
   refuses 2 "--profile and --config are the same file" solve --config wheel.toml --profile wheel.toml
   refuses 2 "--output and --config are the same file" temperature --config wheel.toml --at 0 --output wheel.toml
   cmp wheel.toml kept.toml || fail "the scene file was changed"

@@ -130,6 +130,7 @@ HasEveryColumnOfSolve() {
     answers solve --traction 0.3 "$@" --format csv
     sweeps 0 "$@"
     for column in $(head -1 out | tr , '\n'); do
+      [[ "$*" != *config* || "$column" != friction*_temperature ]] || continue # which stays in K, or out
       head -1 results.csv | tr , '\n' | grep -qxF "$column" || fail "$*: no column $column"
       near_or_same "$(quoteless results.csv "$column")" "$(quoteless out "$column")" ||
         fail "$*: $column is '$(quoteless results.csv "$column")', not '$(quoteless out "$column")'"
@@ -442,7 +443,7 @@ OutputIsWholeOrAbsent() {
   one_line "cannot write results.csv: File too large"
   [ "$(cat results.csv)" = old ] || fail "$(head -1 results.csv)"
   [ -z "$(find . -name 'thermoroll-*')" ] || fail "left behind: $(ls)"
-  refuses 2 "--output and the table are the same file, ./scenes.csv" sweep scenes.csv --output ./scenes.csv
+  refuses 2 "--output and the table are the same file, scenes.csv" sweep scenes.csv --output ./scenes.csv
   ln -s scenes.csv link.csv
   refuses 2 "--datapackage and the table are the same file" sweep scenes.csv --output results.csv --datapackage link.csv
   refuses 2 "--datapackage and --output are the same file" sweep scenes.csv --output results.csv --datapackage results.csv

@@ -123,6 +123,7 @@ def _scenes(members: dict[str, ArrayLike | None]) -> NDArray:
     try:
         shape = np.broadcast_shapes(*(x.shape for x in numbers.values()))
     except ValueError:
+        numbers[given[0]] = numbers.pop("given")
         arrays = ", ".join(f"{name} {x.shape}" for name, x in numbers.items() if x.shape)
         raise ValueError(f"these shapes do not fit: {arrays}") from None
     scenes = np.empty(shape, _scene)
