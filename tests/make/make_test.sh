@@ -359,7 +359,8 @@ InstalledPackage() { # in the copy
   for file in README.md CHANGELOG.md LICENSE CITATION.cff; do
     cmp $file "$prefix/share/doc/thermoroll/$file"
   done
-  diff -r src/recipes "$prefix/share/doc/thermoroll/examples"
+  (cd "$prefix/share/doc/thermoroll/examples" && PATH="$prefix/bin:$PATH" sh curves.sh &&
+    gnuplot -e "data = 'curves.csv'; output = 'curves.svg'" recipe-curves.gp && [ -s curves.svg ]) || fail "the examples do not run"
   "$prefix/bin/thermoroll" help --format man | cmp - "$prefix/share/man/man1/thermoroll.1"
   "$prefix/bin/thermoroll" help --format bash | cmp - "$prefix/share/bash-completion/completions/thermoroll"
 
