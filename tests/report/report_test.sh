@@ -188,8 +188,8 @@ ValuesStandAsWritten() {
   mkdir -p "$work/project/build"
   cp -r paper figures "$work/project/"
   cp -r build/data build/figures build/colours-* "$work/project/build/" # the code is that of the report
-  for file in values speed study-values; do
-    awk -F'"' -v OFS='"' -v first=$(case $file in values) echo 71001 ;; speed) echo 81001 ;; *) echo 91001 ;; esac) '
+  for file in values speed study-values evaluations; do
+    awk -F'"' -v OFS='"' -v first=$(case $file in values) echo 71001 ;; speed) echo 81001 ;; evaluations) echo 61001 ;; *) echo 91001 ;; esac) '
       NF > 4 {
         number = first + NR ".6543"
         if (!sub(/[0-9]+([.][0-9]+)?/, number, $4)) $4 = $4 " " number
