@@ -24,9 +24,9 @@ std::vector<std::string> tables() {
   std::vector<std::string> names = thermoroll::figure_data_names();
   std::erase(names, "values");
   names.push_back("evaluations");
-  for (const auto& entry : std::filesystem::directory_iterator(root + "/src/recipes"))
-    if (std::filesystem::exists(root + "/figures/recipe-" + entry.path().stem().string() + ".gp"))
-      names.push_back("recipe-" + entry.path().stem().string());
+  for (const auto& entry : std::filesystem::directory_iterator(root + "/figures"))
+    if (const std::string name = entry.path().stem().string(); name.rfind("recipe-", 0) == 0)
+      names.push_back(name);
   return names;
 }
 
