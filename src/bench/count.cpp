@@ -31,29 +31,35 @@ double N(double zeta, double friction, Formulation formulation);
 
 std::size_t evaluations = 0;  // so far
 
+template <class Found>
+Found counted(const Found& found) {
+  ++evaluations;
+  return found;
+}
+
 void fast_kernels(std::size_t n, const double* distance, Kernels* k) {
   evaluations += n;
   uncounted_kernels(n, distance, k);
 }
 
-Kernels fast_kernels(double distance) { return ++evaluations, uncounted_kernels(distance); }
+Kernels fast_kernels(double distance) { return counted(uncounted_kernels(distance)); }
 
 SlopeAndStrain fast_slope_and_strain(double zeta) {
-  return ++evaluations, uncounted_slope_and_strain(zeta);
+  return counted(uncounted_slope_and_strain(zeta));
 }
 
-double fast_temperature(double zeta) { return ++evaluations, uncounted_temperature(zeta); }
+double fast_temperature(double zeta) { return counted(uncounted_temperature(zeta)); }
 
 namespace kernel {
 
-double N1(double zeta) { return ++evaluations, uncounted::N1(zeta); }
+double N1(double zeta) { return counted(uncounted::N1(zeta)); }
 
-double N2(double zeta) { return ++evaluations, uncounted::N2(zeta); }
+double N2(double zeta) { return counted(uncounted::N2(zeta)); }
 
-double M(double zeta, double eta) { return ++evaluations, uncounted::M(zeta, eta); }
+double M(double zeta, double eta) { return counted(uncounted::M(zeta, eta)); }
 
 double N(double zeta, double friction, Formulation formulation) {
-  return ++evaluations, uncounted::N(zeta, friction, formulation);
+  return counted(uncounted::N(zeta, friction, formulation));
 }
 
 }  // namespace kernel

@@ -208,6 +208,17 @@ ValuesStandAsWritten() {
   done <"$work/named"
 }
 
+# Each of them leads to the chunk that writes it, whether it stands in a formula or not.
+NumbersLeadToTheirChunks() {
+  local times key found
+  named | sort | uniq -c >"$work/named"
+  [ "$(wc -l <"$work/named")" -gt 50 ] || fail "hardly any value is named"
+  while read -r times key; do
+    found=$(grep -oF "<a class=\"computed\" title=\"$key\" href=\"#lst:" "$report" | wc -l)
+    [ "$found" = "$times" ] || fail "$key is named $times times, and leads to a chunk $found times"
+  done <"$work/named"
+}
+
 # told WORD: what the colophon tells behind it.
 told() { sed -n 's|<[^>]*>||g; s|.*Woven by Pandoc.* '"$1"' \([^ ]*\)\..*|\1|p' "$report"; }
 
