@@ -19,7 +19,8 @@ replace() {
 }
 
 # What the program lists, and no table that an earlier one has left in build/data.
-names=$(build/thermoroll figure-data --list; cd figures && ls evaluations.gp recipe-*.gp | sed 's/\.gp$//')
+names=$(build/thermoroll figure-data --list
+  for script in figures/evaluations.gp figures/recipe-*.gp; do [ ! -e "$script" ] || basename "$script" .gp; done)
 for golden in figures/golden/*.csv; do
   name=$(basename "$golden" .csv)
   [ "$name" = tolerances ] || [ ! -e "$golden" ] || grep -qx "$name" <<<"$names" || rm "$golden"
