@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <initializer_list>
 #include <new>
@@ -108,7 +107,7 @@ void tell_limit(const Scene& scene, const CoupledSolution* found, thermoroll_res
 
 template <std::size_t n>
 void write(const std::string& message, char (&to)[n]) {
-  to[message.copy(to, n - 1)] = 0;
+  std::fill(to + message.copy(to, n - 1), to + n, '\0');
 }
 
 thermoroll_result empty_result() {
@@ -146,10 +145,10 @@ void attempt(Told& told, const Work& work) noexcept try {
   work();
 } catch (const std::bad_alloc&) {
   told.status = THERMOROLL_FAILED;
-  std::snprintf(told.message, sizeof told.message, "there is not enough memory");
+  write("there is not enough memory", told.message);
 } catch (const std::exception& error) {
   told.status = status_of(error);
-  std::snprintf(told.message, sizeof told.message, "%s", error.what());
+  write(error.what(), told.message);
 } catch (...) {
   told.status = THERMOROLL_FAILED;
 }

@@ -3,7 +3,9 @@
 #define THERMOROLL_H
 
 // thermoroll for C. Link with -lthermoroll_c. No function throws or ends the program. GSL's error
-// handler, which would abort, is turned off in a program that loads the library.
+// handler, which would abort, is turned off in a program that loads the library. Traps of
+// floating-point exceptions (-ffpe-trap, feenableexcept) must be off during a call, as some
+// quotients are infinite by design.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -55,7 +57,7 @@ enum thermoroll_status {
 struct thermoroll_scene {
   uint32_t size;      ///< sizeof(struct thermoroll_scene)
   int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
-  double given;       ///< its value: Q* or xi*, negative for braking, or c0 in [-1, 1)
+  double given;       ///< its value: Q* or xi*, negative for braking, or c0 between -1 and 1
   double friction;    ///< f > 0
   double peclet;      ///< Pe = V a / 2k > 0
   double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
@@ -140,8 +142,9 @@ THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
                                        int threads);
 
 /// The law of a scene for both directions, to the tolerance of the scene, from 1e-7 to 1e-2; its
-/// prescribed quantity, direction, branch and method are not used. Full slip is computed up to
-/// creeps of the size reach > 0, which may be infinite. Null if there is none, and info tells why.
+/// prescribed quantity, direction, branch and method must be valid and make no difference. Full
+/// slip is computed up to creeps of the size reach > 0, which may be infinite. Null if there is
+/// none, and info tells why.
 THERMOROLL_EXPORT struct thermoroll_law* thermoroll_law_new(const struct thermoroll_scene* scene,
                                                             double reach,
                                                             struct thermoroll_law_info* info);

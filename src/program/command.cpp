@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -79,6 +80,15 @@ bool is_key(const CLI::App& command, const std::string& name) {
   return command.get_option_no_throw("--" + name) != nullptr && others.count(name) == 0;
 }
 
+std::string key_meant(const CLI::App& command, const std::string& name) {
+  std::vector<std::string> keys;
+  for (const CLI::Option* option : command.get_options())
+    if (const std::string key = option->get_name().substr(2); is_key(command, key))
+      keys.push_back(key);
+  const std::string key = nearest(name, keys);
+  return key.empty() ? "" : " (did you mean " + key + "?)";
+}
+
 /// Null if there is none of this name.
 const CLI::App* subcommand(const CLI::App& program, const std::string& name) {
   for (const CLI::App* command : program.get_subcommands({}))
@@ -104,7 +114,8 @@ class SceneFile : public CLI::ConfigBase {
           item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
       if (command == nullptr || !is_key(*command, item.name))
         throw std::invalid_argument("the scene file sets what is no option for it: " +
-                                    (item.parents == here ? item.name : item.fullname()));
+                                    (item.parents == here ? item.name : item.fullname()) +
+                                    (command == nullptr ? "" : key_meant(*command, item.name)));
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
         throw std::invalid_argument("the scene file gives " + item.name + " more than once");
       known.push_back(item);
@@ -143,11 +154,33 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
                  "corrected)\n");
 }
 
+bool may_be_replaced(const std::string& name) {
+  std::error_code none;
+  return !std::filesystem::exists(name, none) || std::filesystem::is_regular_file(name, none);
+}
+
 bool same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   std::error_code none;
   const fs::path place = fs::weakly_canonical(fs::absolute(a), none);
   return a == b || (!place.empty() && place == fs::weakly_canonical(fs::absolute(b), none));
+}
+
+void check_names(const Options& o) {
+  using Named = std::pair<const char*, std::string>;
+  const std::vector<Named> written{{"--output", o.output},
+                                   {"--profile", o.profile},
+                                   {"--resume", o.resume},
+                                   {"--datapackage", o.package}};
+  std::vector<Named> others{{"the table", o.table}, {"--config", o.config}, {"--times", o.times}};
+  for (const auto& [option, file] : written) {
+    if (file.empty() || file == "-" || !may_be_replaced(file)) continue;
+    for (const auto& [other, name] : others)
+      if (!name.empty() && same_file(file, name))
+        throw std::invalid_argument(std::string(option) + " and " + other + " are the same file, " +
+                                    file);
+    others.emplace_back(option, file);
+  }
 }
 
 void print_trace(const std::vector<GridStep>& trace) {
@@ -173,8 +206,6 @@ SolvedScene solve_traced(const Options& o) try {
 void run_solve(const Options& o) {
   if (o.profile == "-")
     throw std::invalid_argument("profile = - is not allowed: it must be a file, beside the result");
-  if (!o.profile.empty() && !o.output.empty() && same_file(o.profile, o.output))
-    throw std::invalid_argument("--profile and --output are the same file, " + o.output);
   if (o.profile_points && o.profile.empty())
     throw std::invalid_argument("--profile-points needs --profile");
   const auto [x, units, physical] = solve_traced(o);
@@ -239,19 +270,31 @@ double bound(const std::string& name, const Maybe& asked, double otherwise, cons
   return *asked;
 }
 
+Maybe end_of(const std::string& name, const Maybe& creep, const Maybe& ratio,
+             const std::optional<LawUnits>& units) {
+  if (!ratio) return creep;
+  if (creep)
+    throw std::invalid_argument("--" + name + " and --" + name + "-ratio exclude each other");
+  if (!units) throw std::invalid_argument("for data in SI units only: --" + name + "-ratio");
+  return *ratio / units->creep;
+}
+
 void run_creep_curve(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   check(c.scene);
   require(2 <= o.points && o.points <= 100000, "points", o.points, "from 2 to 100000");
-  const double far = 6 * c.scene.friction / pi, from = o.from.value_or(-far),
-               to = o.to.value_or(far);
+  const double far = 6 * c.scene.friction / pi;
+  const Maybe first_asked = end_of("from", o.from, o.from_ratio, c.units),
+              last_asked = end_of("to", o.to, o.to_ratio, c.units);
+  const double from = first_asked.value_or(-far), to = last_asked.value_or(far);
   require(from < to, "from", from, "below --to, " + shortest(to));
   const double reach = std::max(std::abs(from), std::abs(to));
   const CreepLaw law =
       creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), reach);
   const LawHalf &first = from < 0 ? law.braking : law.driving,
                 &last = to < 0 ? law.braking : law.driving;
-  const CurveRange range{bound("from", o.from, from, first), bound("to", o.to, to, last), o.points};
+  const CurveRange range{bound("from", first_asked, from, first), bound("to", last_asked, to, last),
+                         o.points};
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
 }
@@ -319,9 +362,6 @@ void check_files(const Options& o) {
     throw std::invalid_argument("--output and --resume exclude each other");
   if (!o.package.empty() && (!o.part.empty() || (o.output + o.resume).empty() || o.output == "-"))
     throw std::invalid_argument("--datapackage describes the results of a whole table in a file");
-  for (const std::string& file : {o.output, o.resume})
-    if (is_file && !file.empty() && file != "-" && same_file(file, o.table))
-      throw std::invalid_argument("the results would replace the table, " + o.table);
 }
 
 void run_sweep(const Options& o) {
@@ -397,9 +437,14 @@ void add_all_creeps(CLI::App& command, Options& o) {
 void add_creep_curve(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("creep-curve", "Print traction by creep as CSV");
   add_all_creeps(command, o);
-  const std::pair<const char*, Maybe*> ends[] = {{"from", &o.from}, {"to", &o.to}};
-  for (const auto& [name, value] : ends)
-    command.add_option(std::string("--") + name, *value, "creep xi*, negative for braking")
+  const char *creep = "creep xi*, negative for braking",
+             *ratio = "the same as a fraction of the speed, with SI data";
+  const std::tuple<const char*, Maybe*, const char*> ends[] = {{"from", &o.from, creep},
+                                                               {"to", &o.to, creep},
+                                                               {"from-ratio", &o.from_ratio, ratio},
+                                                               {"to-ratio", &o.to_ratio, ratio}};
+  for (const auto& [name, value, meaning] : ends)
+    command.add_option(std::string("--") + name, *value, meaning)
         ->type_name("NUMBER")
         ->check(finite_number(name));
   command.add_option("--points", o.points, "number of rows, 101 unless given")
@@ -424,7 +469,8 @@ void add_table(CLI::App& command, Options& o) {
     return type == std::string("FILE") ? option->check(file_name(name + 2)) : option;
   };
   command.add_option("TABLE", o.table, "a file; standard input if it is - or not given")
-      ->type_name("");
+      ->type_name("")
+      ->check(file_name("TABLE"));
   add("--columns", o.columns, "A,B,...", "write these columns only, in this order");
   add("--format", o.rows_format, joined(words(row_format_names), "|").c_str(),
       "format of the rows, csv unless given")
@@ -564,7 +610,7 @@ constexpr const char* creep_curve_examples = R"(Examples:
   thermoroll creep-curve --friction 0.6 --peclet 100 --heating 0.0175 --from -1 --to 1 --points 41 \
     --friction-law linear --friction-temperature 0.02 --output curve.csv
 
-Without --from and --to the rows reach to three times the creep at which the contact slips without
+Without --from and --to, or --from-ratio and --to-ratio, the rows reach to three times the creep at which the contact slips without
 heat, or to the end of the curve. They are dense where it bends. With data in SI units there are
 columns for the creep as a fraction of the speed, its speed, N/m and degree C, which are rises over
 the bulk temperature. Unless --roller says otherwise, all heat goes into one body: two steel bodies
@@ -695,6 +741,8 @@ Command read_command(const std::vector<std::string>& arguments) {
                      .text;
     }
     if (c.subcommand == "sweep") read_table_options(command, c.options);
+    c.options.config = program.get_option("--config")->as<std::string>();
+    check_names(c.options);
   } catch (const CLI::CallForHelp& called) {
     if (program.get_subcommands().empty() && !program.remaining().empty())
       throw std::invalid_argument(reworded(called, program));

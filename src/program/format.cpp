@@ -418,7 +418,8 @@ std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>&
   if (!x.error) {
     for (const Reported& row : reported) o["error_estimate"][row.key] = nullptr;
     for (const char* key :
-         {"heat_1", "heat_2", "friction_min", "traction_limit", "creep_at_traction_limit"})
+         {"heat_1", "heat_2", "exchanged_heat", "no_slip_traction", "no_slip_creep",
+          "edge_log_coefficient", "friction_min", "traction_limit", "creep_at_traction_limit"})
       o["error_estimate"][key] = nullptr;
   }
   if (physical && !physical->error) {

@@ -359,6 +359,12 @@ bool is_roller_option(const std::string& name) {
 
 bool is_given_option(const std::string& name) { return is_in(given_options, name); }
 
+std::vector<std::string> data_in_si_units() {
+  std::vector<std::string> names;
+  for (const SceneOption& option : si_options) names.emplace_back(option.name + 2);
+  return names;
+}
+
 std::string unit_of_option(const std::string& name) {
   SceneOptions none;
   CLI::App scene;

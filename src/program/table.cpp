@@ -67,7 +67,8 @@ struct RowOptions {
 };
 
 std::string meant(const std::string& name, const std::vector<std::string>& names) {
-  const std::string other = nearest(name, names);
+  std::string other = nearest(name, names);
+  if (has_name(names, "physical." + name)) other = "physical." + name;
   return other.empty() ? "" : " (did you mean " + other + "?)";
 }
 
@@ -126,8 +127,13 @@ void check_complete(const SweepTable& t) {
   if (!has_option(t, "friction")) throw std::invalid_argument("the header lacks friction");
   if (!any_option(t, is_given_option))
     throw std::invalid_argument("the header lacks traction, creep or stick-slip-border");
+  std::string missing;
+  for (const std::string& name : data_in_si_units())
+    if (!has_option(t, name)) missing += ' ' + name;
   if (!has_option(t, "peclet") && !any_option(t, is_si_option))
     throw std::invalid_argument("the header lacks peclet (or data in SI units)");
+  if (!has_option(t, "peclet") && !missing.empty())
+    throw std::invalid_argument("the header lacks, of data in SI units:" + missing);
   for (const std::string& name : t.how.keep)
     if (name != "id" && std::none_of(t.columns.begin(), t.columns.end(), [&](const ReadColumn& x) {
           return x.is_label && hyphenated(x.name) == hyphenated(name);
@@ -241,9 +247,12 @@ std::vector<std::string> values_of(const SweepTable& t, const std::vector<Field>
   std::vector<std::string> values;
   auto next = found.begin();
   for (const std::string& name : t.fields) {
-    if (name.empty() && next != found.end()) ++next;
-    const bool is_it = next != found.end() && next->name == name;
-    values.push_back(is_it ? next++->cell : "");
+    const auto is_it = [&](const Field& field) { return field.name == name; };
+    auto at = std::find_if(next, found.end(), is_it);
+    if (at == found.end()) at = std::find_if(found.begin(), next, is_it);
+    const bool is_found = !name.empty() && at != found.end() && is_it(*at);
+    values.push_back(is_found ? at->cell : "");
+    if (is_found) next = at + 1;
   }
   values.end()[-2] = status;
   values.back() = error;

@@ -15,14 +15,10 @@ using enum Quantity;
 
 namespace {
 
-bool is_contact(GridSolution x) {
+bool is_contact(GridSolution x, bool without_load = false) {
   forget_the_edge(x, 1e-3);
-  return x.newton_steps > 0 && x.violations.empty();
-}
-
-bool lacks_only_the_load(GridSolution x) {
-  forget_the_edge(x, 1e-3);
-  return x.newton_steps > 0 && x.violations.size() == 1 && x.violations[0].what == "no load";
+  const bool no_load = x.violations.size() == 1 && x.violations[0].what == "no load";
+  return x.newton_steps > 0 && (without_load ? no_load : x.violations.empty());
 }
 
 struct Followed {
@@ -41,10 +37,7 @@ Followed follow_contacts(const Scene& scene, Formulation formulation, double cre
     const double next = std::min(growth * x.creep, creep);
     const GridSolution at =
         solve_slipping_grid(scene, formulation, followed_unknowns, next, x.contact);
-    if (lacks_only_the_load(at)) {
-      x.beyond = at;
-      return x;
-    }
+    if (is_contact(at, true)) return {x.contact, x.creep, at};
     const bool contact = is_contact(at);
     growth = contact ? std::min(2.0, growth * growth) : std::sqrt(growth);
     if (contact) x = {at, next, {}};
@@ -62,7 +55,7 @@ double creep_without_load(const Scene& scene, Formulation formulation, const Fol
     const double next = now.value(Quantity::creep) - per_load * now.value(load_ratio);
     last = now;
     now = solve_slipping_grid(scene, formulation, followed_unknowns, next, last);
-    if (!is_contact(now) && !lacks_only_the_load(now)) break;
+    if (!is_contact(now) && !is_contact(now, true)) break;
   }
   return 0;
 }

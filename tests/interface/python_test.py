@@ -1,7 +1,9 @@
 """python_test.py CASE [ARGUMENT]: one promise of the Python module; the case is a function below."""
 
+import copy
 import csv
 import io
+import pickle
 import subprocess
 import sys
 
@@ -111,6 +113,35 @@ def LawIsThatOfTheLibrary():
     assert law.driving_end == 2 and "driving: " in law.message
     beyond = law(2.5)
     assert beyond.status == 2 and np.isnan(beyond.traction) and isinstance(law(0.1).traction, float)
+
+
+def LawsAreNotCopied():
+    """A copy would point to what the first one frees."""
+    x = thermoroll.law(friction=0.6, peclet=100, heating=0.1)
+    for attempt in (copy.copy, copy.deepcopy, pickle.dumps):
+        raises(TypeError, "cannot be copied or pickled", attempt, x)
+    assert abs(x(0.1).traction) > 0
+
+
+def MessagesEndWhereTheyEnd():
+    """They have no zeros, and an empty one is empty."""
+    assert thermoroll.law(friction=0.6, peclet=1, heating=0).message == ""
+    try:
+        thermoroll.law(friction=-1, peclet=1)
+    except ValueError as error:
+        assert str(error) == "friction = -1 is not allowed: it must be positive", repr(error)
+    else:
+        raise AssertionError("a negative friction has a law")
+
+
+def RefusesWhatDoesNotFit():
+    """Shapes by the names of their arguments, masked values, and numbers of threads."""
+    raises(ValueError, "traction (2,)", thermoroll.solve, friction=0.6, traction=[0.1, 0.2], peclet=[1, 2, 3])
+    masked = np.ma.masked_array([0.1, 0.2], [False, True])
+    raises(TypeError, "masked", thermoroll.solve, friction=0.6, traction=masked, peclet=1)
+    for threads in (-1, 1025, 2**32):
+        raises(ValueError, "from 0", thermoroll.solve, friction=0.6, traction=0.1, peclet=1, threads=threads)
+    raises(TypeError, "", thermoroll.solve, friction=0.6, traction=0.1, peclet=1, threads=1.5)
 
 
 def LawsThatAreNot():

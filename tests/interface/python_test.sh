@@ -27,6 +27,9 @@ Scalars() { run "${FUNCNAME[0]}"; }
 RefusesWhatIsNoWord() { run "${FUNCNAME[0]}"; }
 LawIsThatOfTheLibrary() { run "${FUNCNAME[0]}"; }
 LawsThatAreNot() { run "${FUNCNAME[0]}"; }
+LawsAreNotCopied() { run "${FUNCNAME[0]}"; }
+MessagesEndWhereTheyEnd() { run "${FUNCNAME[0]}"; }
+RefusesWhatDoesNotFit() { run "${FUNCNAME[0]}"; }
 Throughput() { run "${FUNCNAME[0]}" "$build/tests/interface/throughput"; } # for a release
 
 ReadmeExample() {

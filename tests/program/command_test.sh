@@ -1862,6 +1862,38 @@ Completion() {
   done
 }
 
+# In a scene file as on the command line.
+NearestKey() {
+  printf '%s\n' 'friction = 0.6' 'laod = 1' >scene.toml
+  refuses 2 "the scene file sets what is no option for it: laod (did you mean load?)" solve --config scene.toml --traction 0.5
+}
+
+# A file that is read is not written to, however it is named; a device may be both.
+NoInputIsReplaced() {
+  write_wheel
+  cp wheel.toml kept.toml
+  ln -s wheel.toml link.toml
+  refuses 2 "--output and --config are the same file, ./link.toml" solve --config wheel.toml --output ./link.toml
+  refuses 2 "--profile and --config are the same file" solve --config wheel.toml --profile wheel.toml
+  refuses 2 "--output and --config are the same file" temperature --config wheel.toml --at 0 --output wheel.toml
+  cmp wheel.toml kept.toml || fail "the scene file was changed"
+  run solve --config wheel.toml --output /dev/null --profile /dev/null
+  [ $status -eq 0 ] || fail "$(cat err)"
+}
+
+# The range of a curve as fractions of the speed, which are its column.
+CurveByCreepRatio() {
+  write_wheel
+  sed -i /traction/d wheel.toml
+  answers creep-curve --config wheel.toml --from-ratio -0.01 --to-ratio 0.03 --points 5
+  [ "$(head -1 out | cut -d, -f6)" = creep_ratio ] || fail "$(head -1 out)"
+  # To a few units of rounding, by the factor of xi* and back.
+  cut -d, -f6 out | awk 'NR == 2 { first = $1 } { last = $1 }
+    END { a = first / -0.01 - 1; b = last / 0.03 - 1; exit !(a * a < 1e-28 && b * b < 1e-28) }' || fail "$(cat out)"
+  refuses 2 "--to and --to-ratio exclude each other" creep-curve --config wheel.toml --to 1 --to-ratio 0.1
+  refuses 2 "for data in SI units only: --to-ratio" creep-curve --friction 0.6 --peclet 100 --to-ratio 0.1
+}
+
 FigureData() {
   answers figure-data --list
   grep -qx kernels out && grep -qx values out || fail "$(cat out)"

@@ -120,6 +120,32 @@ AnswersAsSolveDoes() {
   [ "$(error_of 3)" = "2 traction = 0.7 is not allowed: it must be between -0.6 and 0.6, the friction" ] ||
     fail "row 3: $(error_of 3)"
 }
+# Of two bodies, in SI units, with a law of friction and a bulk difference, a sweep has every column that
+# solve has, with the same cell.
+HasEveryColumnOfSolve() {
+  code toml B-command-line.md | grep -v traction >wheel.toml
+  local base=(--config wheel.toml) options column count=0
+  same_columns() { # same_columns OPTION...: of solve, and of a sweep of one row
+    printf 'traction\n0.3\n' >scenes.csv
+    answers solve --traction 0.3 "$@" --format csv
+    sweeps 0 "$@"
+    for column in $(head -1 out | tr , '\n'); do
+      head -1 results.csv | tr , '\n' | grep -qxF "$column" || fail "$*: no column $column"
+      near_or_same "$(quoteless results.csv "$column")" "$(quoteless out "$column")" ||
+        fail "$*: $column is '$(quoteless results.csv "$column")', not '$(quoteless out "$column")'"
+      count=$((count + 1))
+    done
+  }
+  quoteless() { sed 's/"[^"]*"/quoted/g' "$1" | cell "$2" 1 -; }
+  same_columns "${base[@]}"
+  same_columns "${base[@]}" --roller identical --bulk-temperature 20
+  same_columns "${base[@]}" --roller conducting --conductivity-2 20 --expansion-2 1e-5 --friction-law linear --friction-temperature 3000
+  same_columns "${base[@]}" --roller identical --bulk-temperature 20 --bulk-temperature-2 21
+  same_columns --friction 0.6 --peclet 100 --heating 1 --roller conducting --conductivity-ratio 2 --heating-2 1 --peclet-2 30
+  same_columns --friction 0.6 --peclet 100 --heating 1 --friction-law rational --friction-temperature 0.1
+  [ $count -ge 250 ] || fail "only $count cells were compared"
+}
+
 # What was given stays as it was written, so that 1 may stand for 1.0.
 near_or_same() { [ "$1" = "$2" ] || awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && a + 0 == b + 0) }'; }
 
@@ -201,6 +227,7 @@ BadHeaders() {
   bad "the header names stick_slip_border twice" 'friction,peclet,stick-slip-border,stick_slip_border'
   bad "the header lacks traction, creep or stick-slip-border" 'friction,peclet'
   bad "the header lacks peclet (or data in SI units)" 'friction,traction'
+  bad "the header lacks, of data in SI units: load shear-modulus poisson" 'friction,traction,speed'
   bad "the lines end in carriage returns alone" 'friction,traction,peclet\r0.6,0.5,100\r'
   bad "the header names what is no option of solve: --friction" '--friction,traction,peclet'
   bad "the header names what is no option of solve: help" 'friction,traction,help'
@@ -319,6 +346,7 @@ ChosenColumns() {
     [ "$(cell $column 2 some.csv)" = "$(cell $column 2)" ] || fail "$column: $(cat some.csv)"
   done
   refuses 2 "columns = crep is not allowed: it must be a column (did you mean creep?)" sweep scenes.csv --columns crep
+  refuses 2 "columns = half_width is not allowed: it must be a column" sweep scenes.csv --columns half_width
   refuses 2 "columns =  is not allowed" sweep scenes.csv --columns traction,
 }
 
@@ -414,7 +442,10 @@ OutputIsWholeOrAbsent() {
   one_line "cannot write results.csv: File too large"
   [ "$(cat results.csv)" = old ] || fail "$(head -1 results.csv)"
   [ -z "$(find . -name 'thermoroll-*')" ] || fail "left behind: $(ls)"
-  refuses 2 "the results would replace the table" sweep scenes.csv --output ./scenes.csv
+  refuses 2 "--output and the table are the same file, ./scenes.csv" sweep scenes.csv --output ./scenes.csv
+  ln -s scenes.csv link.csv
+  refuses 2 "--datapackage and the table are the same file" sweep scenes.csv --output results.csv --datapackage link.csv
+  refuses 2 "--datapackage and --output are the same file" sweep scenes.csv --output results.csv --datapackage results.csv
   refuses 1 "cannot write nowhere/results.csv" sweep scenes.csv --output nowhere/results.csv
 }
 
@@ -464,7 +495,7 @@ ResumesNothingElse() {
   refuses 2 "resume = . is not allowed: it must be a file" sweep scenes.csv --resume .
   refuses 2 "resume = /dev/full is not allowed: it must be a file" sweep scenes.csv --resume /dev/full
   refuses 2 "--output and --resume exclude each other" sweep scenes.csv --resume some.csv --output other.csv
-  refuses 2 "the results would replace the table" sweep scenes.csv --resume scenes.csv
+  refuses 2 "--resume and the table are the same file" sweep scenes.csv --resume scenes.csv
   mkfifo rows
   "$program" sweep <rows --resume some.csv 2>first &
   exec 3>rows
@@ -511,6 +542,7 @@ BadOptions() {
   write_scenes
   refuses 2 "given = peclet is not allowed: it must be traction, creep, stick-slip-border, creep-ratio or tangential-load" sweep scenes.csv --given peclet
   refuses 2 "output = " sweep scenes.csv --output ""
+  refuses 2 "TABLE = " sweep ""
   refuses 2 "resume = " sweep scenes.csv --resume ""
   refuses 2 "format = text is not allowed: it must be csv or jsonl" sweep scenes.csv --format text
   refuses 2 "a quote is not closed" sweep scenes.csv --columns '"a'

@@ -11,8 +11,10 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 import math
+import operator
 import os
 import sys
+import time
 import weakref
 from pathlib import Path
 
@@ -51,20 +53,24 @@ def _load() -> ctypes.CDLL:
     name = "libthermoroll_c.so.0"
     asked = os.environ.get("THERMOROLL_LIBRARY")
     beside = [str(folder / name) for folder in list(Path(__file__).resolve().parents)[3:4]]
+    reasons = []
     for place in [asked] if asked else [*beside, f"{sys.prefix}/lib/{name}", name]:
         try:
             return ctypes.CDLL(place)
         except OSError as error:
-            reason = str(error)
+            reasons.append(str(error))
     raise ImportError(
-        f"thermoroll lacks its library: run make install, or set THERMOROLL_LIBRARY ({reason})"
+        f"thermoroll lacks its library: run make install, or set THERMOROLL_LIBRARY ({'; '.join(reasons)})"
     )
 
 _library = _load()
 
 
 def _function(name: str, result: type | None, *arguments: type):
-    function = getattr(_library, "thermoroll_" + name)
+    try:
+        function = getattr(_library, "thermoroll_" + name)
+    except AttributeError:
+        raise ImportError(f"{_library._name} has no thermoroll_{name}: it is of another version") from None
     function.restype, function.argtypes = result, arguments
     return function
 
@@ -93,6 +99,8 @@ _words = {
 }
 
 def _numbers(name: str, value: ArrayLike) -> NDArray:
+    if np.ma.is_masked(value):
+        raise TypeError(f"{name} has masked values: fill them, or leave their scenes out")
     given = np.asarray(value)
     if name in _words:
         numbers = np.full(given.shape, -1)
@@ -112,7 +120,12 @@ def _scenes(members: dict[str, ArrayLike | None]) -> NDArray:
     rest = {name: x for name, x in members.items() if name not in _words["quantity"]}
     rest.update(quantity=given[0], given=members[given[0]], unused=0)
     numbers = {name: _numbers(name, x) for name, x in rest.items()}
-    scenes = np.empty(np.broadcast_shapes(*(x.shape for x in numbers.values())), _scene)
+    try:
+        shape = np.broadcast_shapes(*(x.shape for x in numbers.values()))
+    except ValueError:
+        arrays = ", ".join(f"{name} {x.shape}" for name, x in numbers.items() if x.shape)
+        raise ValueError(f"these shapes do not fit: {arrays}") from None
+    scenes = np.empty(shape, _scene)
     scenes["size"] = _scene.itemsize
     for name, x in numbers.items():
         scenes[name] = x
@@ -167,17 +180,23 @@ def _solution(rows: NDArray) -> Solution:
         _messages=rows["message"].copy()[()],
     )
 
-_block = 8192
+_block_time, _largest_block = 0.2, 8192
 
+
+def _next_block(size: int, seconds: float) -> int:
+    return max(16, min(int(size * _block_time / max(seconds, 1e-4)), 4 * size, _largest_block))
 
 def _solve_all(scenes: NDArray, threads: int) -> NDArray:
     results = np.zeros(scenes.shape, _result)
     results["size"] = _result.itemsize
     rows, answers = scenes.reshape(-1), results.reshape(-1)
-    for begin in range(0, rows.size, _block):
-        part, told = rows[begin : begin + _block], answers[begin : begin + _block]
+    begin, size = 0, 256
+    while begin < rows.size:
+        part, told = rows[begin : begin + size], answers[begin : begin + size]
+        start = time.monotonic()
         if _solve(part.ctypes.data, told.ctypes.data, part.size, threads) == 2:
             raise RuntimeError("the library has other structures: it is of another version")
+        begin, size = begin + size, _next_block(size, time.monotonic() - start)
     return results
 
 def solve(
@@ -210,7 +229,7 @@ def solve(
 
     friction: f > 0. peclet: Pe > 0. heating: H >= 0.
     traction, creep or stick_slip_border: exactly one. Q* from -f to f or xi*, negative for
-        braking; or c0 from -1 to 1.
+        braking; or c0 between -1 and 1.
     roller: "insulated", "identical" or "conducting".
     conductivity_ratio, heating_2, peclet_2: K2 / K1 > 0, H2 >= 0 and Pe2 > 0 (0: Pe), for a
         conducting roller only. bulk_difference: Theta, by how much it is warmer far away.
@@ -219,7 +238,8 @@ def solve(
     formulation: "corrected" or "printed".
     direction: "driving" or "braking", of a border. branch: "rising" or "falling", of a traction
         with a law of friction.
-    method: "auto", "closed-form", "first-order", "coupled" or "gauss-chebyshev".
+    method: "auto", "closed-form", "first-order", "coupled" or "gauss-chebyshev". The closed form
+        asked for by name leaves out what the heat does to the tractions, in its errors too.
     tolerance: 1e-11 to 1e-2. nodes: of gauss-chebyshev, 3 to 5000.
     threads: how many, 0 for one on each processor; the results are the same.
 
@@ -228,8 +248,8 @@ def solve(
     fit, and TypeError unless exactly one quantity is given.
     """
     members = {name: x for name, x in locals().items() if name != "threads"}
-    if threads < 0:
-        raise ValueError("threads must be zero, for all processors, or positive")
+    if not 0 <= operator.index(threads) <= 1024:
+        raise ValueError("threads must be from 0, for all processors, to 1024")
     return _solution(_solve_all(_scenes(members), threads))
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -257,11 +277,14 @@ class Law:
         self._free = weakref.finalize(self, _law_free, handle)
         self.driving_end = float(info["driving_end"])
         self.braking_end = float(info["braking_end"])
-        self.message = bytes(info["message"]).decode()
+        self.message = info["message"][()].decode()
+
+    def __reduce__(self):
+        raise TypeError("a law cannot be copied or pickled: make it again by law()")
 
     def __call__(self, creep: ArrayLike) -> LawValues:
         """The law at creeps xi* of either sign."""
-        creeps = np.array(creep, dtype=float, order="C")
+        creeps = np.array(_numbers("creep", creep), order="C")
         values = np.zeros(creeps.shape, _law_value)
         values["size"] = _law_value.itemsize
         _law_evaluate(self._handle, creeps.ctypes.data, values.ctypes.data, creeps.size)
@@ -303,5 +326,5 @@ def law(
     handle = _law_new(scene.ctypes.data, reach, info.ctypes.data)
     if not handle:
         raised = ValueError if info["status"] == 2 else RuntimeError
-        raise raised(bytes(info["message"]).decode())
+        raise raised(info["message"][()].decode())
     return Law(handle, info)
