@@ -18,7 +18,7 @@ report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3 groff-base
 python_packages := python3-numpy python3-matplotlib python3-venv python3-wheel
 fortran_packages := gfortran
-test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel
+test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel poppler-utils
 
 packages_for_all := $(build_packages)
 packages_for_install := $(build_packages)
@@ -62,6 +62,7 @@ command_of_libxml2-utils := xmllint
 command_of_groff-base := groff
 command_of_chromium := chromium
 command_of_parallel := parallel
+command_of_poppler-utils := pdftotext
 command_of_clang := clang++
 command_of_lld := wasm-ld
 file_of_wasi-libc := /usr/include/wasm32-wasi/stdio.h
@@ -149,9 +150,10 @@ tables := claims resolution coincident bands iteration-steps random-scenes state
 
 # Those that take longest come first, lest one is alone at the end.
 data_files := build/data/survival.csv build/data/values.json \
-  $(patsubst %,build/data/%.csv,$(filter-out estimates sign recipe-%,$(figures)) $(filter-out survival,$(tables)))
+  $(patsubst %,build/data/%.csv,$(filter-out estimates sign evaluations recipe-%,$(figures)) $(filter-out survival,$(tables)))
 study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
 kept_files := $(study_files) build/data/sign.csv
+counted_files := build/data/evaluations.csv build/data/evaluations.json
 recipe_files := $(patsubst %,build/data/%.csv,$(filter recipe-%,$(figures)))
 timed_files := $(patsubst %,build/data/%.csv,times shares contact) build/data/speed.json
 figure_files := $(patsubst %,build/figures/%.svg,$(figures))
@@ -160,7 +162,7 @@ figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 with_live := $(if $(shell echo 'int main() {}' | clang++ --target=wasm32-wasi --sysroot=/usr -x c++ - -o /dev/null 2>/dev/null && echo yes),build/live.html)
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(recipe_files) $(kept_files) build/benches-built \
+steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(recipe_files) $(kept_files) build/benches-built build/data/evaluations.csv \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -195,7 +197,7 @@ reproduce: build/data/claims.txt build/report.html build/paper.html
 	@echo "The report is build/report.html, its short version build/paper.html"
 
 ## data: compute every table
-data: $(data_files) $(kept_files) $(timed_files)
+data: $(data_files) $(kept_files) $(counted_files) $(timed_files)
 
 ## figures: draw every figure
 ## build/figures/NAME.svg: draw one figure, that of figures/NAME.gp
@@ -265,14 +267,21 @@ $(kept_files):
 # Nothing else is computed while the benchmarks run, and they run again only when they are others.
 build/benches-built: build/built | build/release/with-bench
 	$(call step,compiling the benchmarks)
-	@$(compile) build/release --target thermoroll-bench
+	@$(compile) build/release --target thermoroll-bench thermoroll-count
 	@ln -sf release/thermoroll-bench build/thermoroll-bench
 	@touch $@
 
-build/thermoroll-bench: build/benches-built ;
+build/thermoroll-bench build/release/thermoroll-count: build/benches-built ;
+
+# One run of the program writes both.
+build/data/evaluations.json: build/data/evaluations.csv ;
+build/data/evaluations.csv: build/release/thermoroll-count | build/data
+	$(call step,counting the evaluations of kernels)
+	@mkdir -p build/count && $< build/count
+	@mv build/count/evaluations.json build/count/evaluations.csv build/data
 
 drawn_from_times := $(filter build/figures/cost.svg build/figures/speed.svg build/figures/speed-%,$(figure_files))
-build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) $(recipe_files) \
+build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) $(counted_files) $(recipe_files) \
     $(filter-out $(drawn_from_times),$(figure_files))
 	$(call step,timing the methods for half a minute)
 	@build/thermoroll-bench --benchmark_min_time=0.02 --benchmark_repetitions=3 \
@@ -324,7 +333,7 @@ build/report.html: as := $(addprefix -M live=yes --include-after-body=,$(with_li
 build/report.html: $(with_live)
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(kept_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
 	@mv $@.tmp $@
@@ -365,7 +374,7 @@ build/release/with-%: | build/release/Makefile
 ## check: the tests that find a mistake in an edit, within a minute once the rest is compiled
 check: build/built
 	@echo "Building the quick tests"
-	@$(compile) build/release --target unit-tests thermoroll-bench thermoroll-study >build/check.log || { cat build/check.log; exit 1; }
+	@$(compile) build/release --target unit-tests thermoroll-bench thermoroll-count thermoroll-study >build/check.log || { cat build/check.log; exit 1; }
 	@$(ctest) --preset check
 
 tested := build/data/claims.txt build/report.html build/paper.html
@@ -455,7 +464,7 @@ sweep-bench: build/thermoroll
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
 
 ## golden: take today's data and figures as the golden ones of the tests, and the README's picture
-golden: $(data_files) $(kept_files) $(filter-out $(drawn_from_times),$(figure_files))
+golden: $(data_files) $(kept_files) $(counted_files) $(filter-out $(drawn_from_times),$(figure_files))
 	@bash tests/figures/update-golden.sh
 
 # --- The rest -------------------------------------------------------------------------------------

@@ -40,9 +40,13 @@ set bmargin at screen 53.2/height
 unset key
 
 # The symbols of the axes: the abscissa below the middle, the ordinate above its axis.
+# They are italic but for Pe, which is upright as in the text.
 lift = height < 380 ? 1.105 : 1.075
-axes(x, y) = sprintf("set xlabel '{/:Italic %s}' offset 0,0.9; " \
-  ."set label 100 '{/:Italic %s}' at graph 0, graph %g right offset 0.8,0", x, y, lift)
+one(word) = word eq 'Pe' ? word : '{/:Italic '.word.'}'
+symbols(x) = strstrt(x, 'Pe') == 0 || words(x) < 2 \
+  ? one(x) : one(word(x, 1)).' '.symbols(x[strlen(word(x, 1)) + 2:])
+axes(x, y) = sprintf("set xlabel '%s' offset 0,0.9; " \
+  ."set label 100 '%s' at graph 0, graph %g right offset 0.8,0", symbols(x), symbols(y), lift)
 
 # A plot's range, kept for thinning the points.
 range(x0, x1, y0, y1) = sprintf("x_min = %g; x_max = %g; y_min = %g; y_max = %g; " \

@@ -33,7 +33,7 @@
 --                                                     first behind a numbered equation, which it is
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     from speed.json if it rests on a time, or
---                                                     study-values.json
+--                                                     study-values.json, or evaluations.json
 --   *Checked by* `Suite.Name`, ...                    the tests of what stands above
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
@@ -195,7 +195,7 @@ end
 local function value(key, written)
   if not values then
     values = read_values("build/data/values.json", {})
-    for _, name in ipairs { "speed", "study-values" } do
+    for _, name in ipairs { "speed", "study-values", "evaluations" } do
       local path = "build/data/" .. name .. ".json"
       if read(path) then read_values(path, values) end
     end
@@ -294,20 +294,28 @@ local function title_of(tex)
   return #out > 0 and table.concat(out, "; ") or nil
 end
 
+local linked_to_its_chunk -- of section 7: (key, number) -> number
+
+--- A formula in the text that has a computed number in it leads to the chunk of that number.
 local function formula(math)
+  local keys = {}
   local tex = math.text:gsub("\\value{([^}]*)}", function(key)
+    table.insert(keys, key)
     return "{" .. value(key, "\\value{" .. key .. "}") .. "}"
   end)
   local html = mathml(tex, math.mathtype)
   if not html then complain(math.text, "this formula cannot be written as MathML: %s", tex) end
+  if #keys > 0 and (#keys > 1 or math.mathtype == "DisplayMath") then
+    complain(math.text, "a formula has two computed numbers, or stands alone: it can lead to neither chunk")
+  elseif #keys == 1 then
+    return linked_to_its_chunk(keys[1], pandoc.RawInline("html", html or ""))
+  end
   local title = html and title_of(math.text)
   if title and (math.mathtype == "DisplayMath" or #symbols_in(math.text) == 1) then
     html = string.format('<span title="%s">%s</span>', escape(title), html)
   end
   return pandoc.RawInline("html", html or "")
 end
-
-local linked_to_its_chunk -- of section 7: (key, number) -> number
 
 local function value_in_text(key, written)
   local text = value(key, written)
@@ -358,7 +366,8 @@ local function keep_together(inlines)
       inline = pandoc.Str("\u{a0}")
     end
     if inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
-       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span title")) then
+       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span title")
+         or before.text:match("^<a class[^>]*><math")) then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
     else
       out:insert(inline)
@@ -858,7 +867,7 @@ local function writer_of(key)
   end
 end
 
---- A number with a link to the chunk that writes it.
+--- A number, or a formula with it, with a link to the chunk that writes it.
 function linked_to_its_chunk(key, number)
   local piece = writer_of(key)
   if not piece then return number end

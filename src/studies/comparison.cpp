@@ -1,4 +1,4 @@
-// Tangled from paper/15-speed-and-accuracy.md, paper/17-least-model.md; edit there.
+// Tangled from paper/15-speed-and-accuracy.md, paper/17-least-model.md, paper/F-data-files.md; edit there.
 #include "studies/comparison.hpp"
 
 #include <algorithm>
@@ -172,6 +172,15 @@ double jaeger_band(double peclet, double s) {
 
 double blok_factor(double peclet) {
   return 2 * std::sqrt(peclet) * hottest_point(sliding_flux(1), peclet).temperature.value;
+}
+
+double error_of(double value, double exact) { return std::max(std::abs(value / exact - 1), 1e-11); }
+
+double right_digits(const Found& found, const Found& exact) {
+  if (std::isnan(found.hottest)) return found.hottest;
+  return -std::log10(
+      std::max({error_of(found.load_ratio, exact.load_ratio),
+                error_of(found.hottest, exact.hottest), error_of(found.creep, exact.creep)}));
 }
 
 }  // namespace thermoroll

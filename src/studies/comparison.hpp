@@ -56,6 +56,12 @@ Found on_one_grid(const Regime& regime, int n);
 /// The reference of all methods: the coupled solver at its least tolerance.
 Found reference(const Regime& regime);
 
+/// The relative error, 1e-11 at least, where the reference itself may err; NaN where the value is.
+double error_of(double value, double exact);
+
+/// The correct digits of kappa, T*max and xi* together; NaN where one of them is missing.
+double right_digits(const Found& found, const Found& exact);
+
 /// Errors of the coupled solver on Carter's problem with f = 0.3 and a stick zone of half-width 0.6
 /// a: the force at Carter's creep and the creep at his force, relative; the traction at its worst
 /// node, per f p0.

@@ -11,9 +11,6 @@
 namespace thermoroll {
 namespace {
 
-/// NaN where the value is.
-double error_of(double value, double exact) { return std::max(std::abs(value / exact - 1), 1e-11); }
-
 void errors(std::ostream& out, const Regime& regime) {
   row(out, "method", "setting", "name", "quantity", "error");
   const Found exact = reference(regime);
@@ -35,14 +32,6 @@ FigureData speed_data(const Regime& regime) {
 
 const FigureData speed_panels[] = {speed_data(regimes[0]), speed_data(regimes[1]),
                                    speed_data(regimes[2])};
-
-/// Of kappa, T*max and xi*; NaN where one of them is missing.
-double right_digits(const Found& found, const Found& exact) {
-  if (std::isnan(found.hottest)) return found.hottest;
-  return -std::log10(
-      std::max({error_of(found.load_ratio, exact.load_ratio),
-                error_of(found.hottest, exact.hottest), error_of(found.creep, exact.creep)}));
-}
 
 void digits_by_run(std::ostream& out) {
   row(out, "method", "setting", "name", "digits");

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# bench_test.sh CASE BENCH PROGRAM STUDY: one promise of the benchmarks, run in the project's folder. The cases
+# bench_test.sh CASE BENCH PROGRAM STUDY COUNT: one promise of the benchmarks, run in the project's folder. The cases
 # are the functions below that begin with a capital.
 source tests/common.sh
-bench=$2 program=$3 study=$4
+bench=$2 program=$3 study=$4 count=$5
 
 # The benchmarks have the names that the report speaks of, each once.
 NamesAreThoseOfTheReport() {
@@ -37,6 +37,17 @@ StudyIsWritten() {
     ! "$study" $wrong "$work/study" || fail "'$wrong' was taken"
   done
   ! "$study" 5 "$work/nowhere" || fail "a folder that is not there was taken"
+}
+
+# The evaluations are counted alike by every build, and refused where they cannot be written.
+CountIsTheGoldenOne() { # slow
+  mkdir "$work/counted"
+  "$count" "$work/counted" || fail "status $?"
+  cmp <(cut -d, -f1-3,5 "$work/counted/evaluations.csv") <(cut -d, -f1-3,5 figures/golden/evaluations.csv) ||
+    fail "counted: $(cat "$work/counted/evaluations.csv")"
+  [ "$(grep -c '": "[0-9.]*"' "$work/counted/evaluations.json")" = 4 ] || fail "$(cat "$work/counted/evaluations.json")"
+  ! "$count" || fail "no folder was taken"
+  ! "$count" "$work/nowhere" || fail "a folder that is not there was taken"
 }
 
 # The program reads what the benchmarks write.

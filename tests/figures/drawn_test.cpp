@@ -129,6 +129,17 @@ TEST_P(Drawn, MutatedScriptsAreSeen) {
   EXPECT_EQ(kinds, (std::set<std::string>{"axis", "column", "curve", "factor", "labels"}));
 }
 
+// As in the text, whatever else of a label is italic.
+TEST_P(Drawn, PecletsNumberIsUpright) {
+  const std::string svg = read(root / "build/figures" / (GetParam() + ".svg"));
+  const std::string italic = "font-style=\"italic\"";
+  for (std::size_t at = svg.find(italic); at != svg.npos; at = svg.find(italic, at + 1)) {
+    const std::size_t from = svg.find('>', at) + 1;
+    const std::string text = svg.substr(from, svg.find('<', from) - from);
+    EXPECT_EQ(text.find("Pe"), text.npos) << text;
+  }
+}
+
 // Damage to the picture itself.
 TEST_P(Drawn, DamageIsSeen) {
   const std::string svg = read(root / "build/figures" / (GetParam() + ".svg"));

@@ -18,10 +18,12 @@ const std::string data_folder = root + "/build/data/";
 
 Table sidecar() { return read_table(golden_folder + "tolerances.csv"); }
 
-// The tables that the program lists, without those that rest on times, and those of the recipes.
+// The tables that the program lists, without those that rest on times, and those of the counted
+// evaluations and of the recipes.
 std::vector<std::string> tables() {
   std::vector<std::string> names = thermoroll::figure_data_names();
   std::erase(names, "values");
+  names.push_back("evaluations");
   for (const auto& entry : std::filesystem::directory_iterator(root + "/figures"))
     if (const std::string name = entry.path().stem().string(); name.rfind("recipe-", 0) == 0)
       names.push_back(name);

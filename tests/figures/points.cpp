@@ -35,12 +35,12 @@ double quantity(const Table& table, std::size_t row, const std::string& what) {
   return std::stod(what.substr(0, times)) * table.number(row, what.substr(times + 1));
 }
 
-/// Whether no other run of its method has more digits and takes no longer.
-bool is_best(const Table& table, std::size_t row) {
+/// Whether no other run of its method has more digits at no more of a quantity, such as time.
+bool is_best(const Table& table, std::size_t row, const std::string& cost) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     if (table.text(i, "method") == table.text(row, "method") &&
         table.number(i, "digits") > table.number(row, "digits") + 1e-4 &&
-        seconds_of(table.text(i, "name")) <= seconds_of(table.text(row, "name")))
+        quantity(table, i, cost) <= quantity(table, row, cost))
       return false;
   return true;
 }
@@ -52,7 +52,7 @@ bool meant(const Table& table, std::size_t row, const std::string& where) {
     const std::string name = condition.substr(0, sign), value = condition.substr(sign + 1);
     bool holds = false;
     if (name == "best")
-      holds = is_best(table, row);
+      holds = is_best(table, row, value);
     else if (name == "every")
       holds = row % std::stoul(value) == 0;
     else if (condition[sign] == '=')

@@ -240,6 +240,63 @@ TEST(SpeedFigures, CoupledConvergesFasterThanThePanels) {
   EXPECT_LT(at(scheme, 800), 2);
 }
 
+namespace {
+
+/// The evaluations of one run.
+double evaluations_of(const Table& table, const std::string& method, const std::string& setting) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (table.text(row, "method") == method && table.text(row, "setting") == setting)
+      return table.number(row, "evaluations");
+  return std::nan("");
+}
+
+}  // namespace
+
+// The kernels that count are the kernels: every run finds the same as without a count.
+TEST(EvaluationsFigure, DigitsAreThoseOfTheSpeedFigure) {
+  const Table counted = data("evaluations"), runs = data("speed");
+  ASSERT_EQ(counted.rows.size(), runs.rows.size());
+  for (std::size_t row = 0; row < runs.rows.size(); ++row) {
+    EXPECT_EQ(counted.text(row, "name"), runs.text(row, "name"));
+    EXPECT_NEAR(counted.number(row, "digits"), runs.number(row, "digits"), 1e-8) << row;
+    EXPECT_GT(counted.number(row, "evaluations"), 0) << row;
+  }
+}
+
+// n (n + 1) from the nodes to the points, n (n - 1) from node to node, and from the hot nodes to
+// the n + 1 points in every step; a count that misses any of them leaves a rest.
+TEST(EvaluationsFigure, CachedSchemeFollowsItsFormula) {
+  const Table table = data("evaluations");
+  for (const std::string& n : node_counts) {
+    const double nodes = std::stod(n);
+    const double steps = evaluations_of(table, "thrifty", n) - 2 * nodes * nodes;
+    EXPECT_GT(steps, nodes * nodes) << n << ": there are two steps at least";
+    EXPECT_EQ(std::fmod(steps, nodes + 1), 0) << n;
+  }
+}
+
+TEST(EvaluationsFigure, CoupledAsksForTheFewestKernels) {
+  const Table table = data("evaluations");
+  const auto least = [&](double digits, bool coupled) {
+    double count = 1e12;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const std::string& method = table.text(i, "method");
+      if (method == "closed_form" || method == "first_order") continue;
+      if ((method == "coupled") == coupled && table.number(i, "digits") >= digits)
+        count = std::min(count, table.number(i, "evaluations"));
+    }
+    return count;
+  };
+  for (const double digits : {1, 2, 4, 6, 8, 10})
+    EXPECT_LT(2 * least(digits, true), least(digits, false)) << digits;
+  for (const std::string& n : node_counts) {
+    const double cached = evaluations_of(table, "thrifty", n);
+    EXPECT_GT(evaluations_of(table, "gauss_chebyshev", n), cached) << n;
+    EXPECT_LT(evaluations_of(table, "gauss_chebyshev", n), 2 * cached) << n;
+  }
+  EXPECT_GT(evaluations_of(table, "first_order", "0"), evaluations_of(table, "coupled", "1e-06"));
+}
+
 // With the rule and the cells of the program that printed them, the numbers of the seven published
 // cases are the printed ones to two tenths of a per cent, as the text says.
 TEST(ContactCases, RuleGivesThePrintedNumbers) {

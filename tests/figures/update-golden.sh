@@ -19,7 +19,7 @@ replace() {
 }
 
 # What the program lists, and no table that an earlier one has left in build/data.
-names=$(build/thermoroll figure-data --list; find figures -name 'recipe-*.gp' | sed 's|.*/||; s|\.gp$||' | sort)
+names=$(build/thermoroll figure-data --list; find figures -name 'recipe-*.gp' -o -name evaluations.gp | sed 's|.*/||; s|\.gp$||' | sort)
 for golden in figures/golden/*.csv; do
   name=$(basename "$golden" .csv)
   [ "$name" = tolerances ] || [ ! -e "$golden" ] || grep -qx "$name" <<<"$names" || rm "$golden"

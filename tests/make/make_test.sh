@@ -323,7 +323,22 @@ PrintIsShort() { # in the copy
   [ "$size" -lt 5000000 ] || fail "$size bytes"
   pages=$(grep -ac '/Type /Page$' build/paper.pdf)
   [ "$pages" -ge 10 ] && [ "$pages" -le 14 ] || fail "the short version has $pages pages"
-  grep -q '^@page { @top-center { content: "[A-Z].*"; ' build/paper.html || fail "no running head"
+  has_running_head report "$(grep -ac '/Type /Page$' build/report.pdf)"
+  has_running_head paper "$pages"
+}
+
+# has_running_head NAME PAGES: the printed pages have the title at their top, the first has none. The
+# spaces are left out, as the print spaces letters.
+has_running_head() {
+  local title head page
+  title=$(sed -nE 's/.*@top-center \{ content: "([^"]+)".*/\1/p' "build/$1.html" | tr -d ' ')
+  [ "${#title}" -gt 20 ] || fail "no running head in $1.html"
+  pdftotext -layout "build/$1.pdf" "$work/print.txt"
+  for ((page = 1; page <= $2; ++page)); do
+    head=$(awk -v RS='\f' -v page="$page" 'NR == page' "$work/print.txt" | grep -m 1 . | tr -d ' ')
+    [ "$page" = 1 ] || [ "$head" = "$title" ] || fail "page $page of $1.pdf begins with $head"
+    [ "$page" -gt 1 ] || [ "$head" != "$title" ] || fail "the first page of $1.pdf has a running head"
+  done
 }
 
 # readme LANGUAGE, chapter LANGUAGE: the blocks of code in this language that are no chunks, of the README

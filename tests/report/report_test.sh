@@ -188,8 +188,8 @@ ValuesStandAsWritten() {
   mkdir -p "$work/project/build"
   cp -r paper figures "$work/project/"
   cp -r build/data build/figures build/colours-* "$work/project/build/" # the code is that of the report
-  for file in values speed study-values; do
-    awk -F'"' -v OFS='"' -v first=$(case $file in values) echo 71001 ;; speed) echo 81001 ;; *) echo 91001 ;; esac) '
+  for file in values speed study-values evaluations; do
+    awk -F'"' -v OFS='"' -v first=$(case $file in values) echo 71001 ;; speed) echo 81001 ;; evaluations) echo 61001 ;; *) echo 91001 ;; esac) '
       NF > 4 {
         number = first + NR ".6543"
         if (!sub(/[0-9]+([.][0-9]+)?/, number, $4)) $4 = $4 " " number
@@ -205,6 +205,17 @@ ValuesStandAsWritten() {
     IFS='"' read -r _ sign number < <(grep "^$key\"" "$work/numbers") || fail "no value $key"
     found=$(grep -oF -- "$sign$number" "$work/words" | wc -l)
     [ "$found" = "$times" ] || fail "$key is named $times times, and $sign$number shown $found times"
+  done <"$work/named"
+}
+
+# Each of them leads to the chunk that writes it, whether it stands in a formula or not.
+NumbersLeadToTheirChunks() {
+  local times key found
+  named | sort | uniq -c >"$work/named"
+  [ "$(wc -l <"$work/named")" -gt 50 ] || fail "hardly any value is named"
+  while read -r times key; do
+    found=$(grep -oF "<a class=\"computed\" title=\"$key\" href=\"#lst:" "$report" | wc -l)
+    [ "$found" = "$times" ] || fail "$key is named $times times, and leads to a chunk $found times"
   done <"$work/named"
 }
 

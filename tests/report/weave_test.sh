@@ -306,6 +306,7 @@ ValuesLeadToTheirChunks() {
   echo '{"load": "1.5", "speed_6": "2", "steel_border": "3", "other": "4"}' >build/data/values.json
   chapter <<'END'
 It is `load`{.value}, `speed_6`{.value}, \value{steel_border}, `other`{.value}.
+A formula: $x=\value{load}$.
 
 ``` {.cpp #numbers title="Numbers"}
 v["load"] = "other";
@@ -325,7 +326,11 @@ END
   expect 'It is 1.5, 2, 3, 4.'
   expect_html '<a class="computed" title="load" href="#lst:numbers">1.5</a>' \
     '<a class="computed" title="speed_6" href="#lst:numbers">2</a>' \
-    '<a class="computed" title="steel_border" href="#lst:numbers:2">3</a>, 4.'
+    '<a class="computed" title="steel_border" href="#lst:numbers:2">3</a>, 4.' \
+    'A formula: <span class="together"><a class="computed" title="load" href="#lst:numbers"><math' '</math></a>.</span>'
+  rm page.html
+  chapter <<<'Two at a time, $x = \value{load} + \value{other}$.'
+  expect_error 'one.md:5: a formula has two computed numbers, or stands alone: it can lead to neither chunk'
 }
 
 TableFromData() {
