@@ -16,7 +16,7 @@ namespace {
 
 /// Coefficients of powers of u, or of Chebyshev's polynomials.
 using Series = std::vector<Ball>;
-constexpr int degree = 40;
+constexpr int degree = 24;
 
 Series operator+(Series x, const Series& y) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] + y[i];
@@ -118,7 +118,8 @@ CellErrors errors_on(const KernelCell& cell, int kernel, const Series& exact, co
     off[j] = off[j] - c;
     rounding = rounding + std::abs(c) * Ball(n) / (1 - Ball(n));
   }
-  const Ball rest = disc / 11 / Ball(std::pow(11.9999999, degree)), least = magnitude_on(exact, cell, kernel == 1);
+  const Ball least = magnitude_on(exact, cell, kernel == 1);
+  const Ball rest = disc / 11 / std::pow(11.9999999, degree);
   const Ball sum = sum_of_magnitudes(in_chebyshev(off)) + rest;
   const Ball at_end = magnitude(value_at_end(off)) - rest;
   const Ball size = near_zero(cell, kernel == 1) ? least : magnitude(value_at_end(exact)) + rest;
@@ -129,7 +130,7 @@ CellErrors errors_on(const KernelCell& cell, int kernel, const Series& exact, co
 
 void certified_tables(const Rows& rows) {
   std::puts("kernel,largest error,radius,rounding,library,revision,date");
-  bits = 2500;
+  bits = 1400;
   const char* const names[] = {"N1", "N2 upstream", "N2 downstream", "M downstream"};
   std::array<CellErrors, 4> most{};
   const std::vector<KernelCell> cells = kernel_cells();
@@ -145,7 +146,8 @@ void certified_tables(const Rows& rows) {
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    rows(names[i], between(most[i].occurs, most[i].polynomial), "," + scientific(most[i].rounding, 2));
+    rows(names[i], between(most[i].occurs, most[i].polynomial),
+         "," + scientific(most[i].rounding, 2));
   }
 }
 

@@ -42,7 +42,7 @@ Ball integral_of(const Side& side, double peclet, double from) {
     return x * temperature_kernel(zeta) * decay * side(x, analytic);
   };
   std::vector<double> points{from};
-  for (; points.back() < 0x1p-3; points.push_back(8 * points.back()));
+  while (points.back() < 0x1p-3) points.push_back(8 * points.back());
   points.push_back(1);
   const Ball most = root(pi_ball() / (2 * peclet * side.length)) * side(between(0, from), false);
   return widened(integral(integrand, points), from * most);
@@ -56,7 +56,7 @@ Ball temperature_at(const ColdContact& c, double peclet, const Ball& s, bool slo
 /// The contact, the temperature that is known to occur and the least length of a tile.
 struct Tiles {
   Ball at(const Ball& s, bool slope) const {
-    return temperature_at(contact, peclet, s, slope, 0x1p-30);
+    return temperature_at(contact, peclet, s, slope, 0x1p-40);
   }
   const ColdContact& contact;
   double peclet, known, least;
@@ -73,15 +73,13 @@ Ball end_temperature(const Tiles& of, double low, double high) {
   return (integral_of(longer, of.peclet, from) + shorter) / pi_ball();
 }
 
-/// An upper bound of T* wherever in the tile its maximum may be; at least what is known.
+/// An upper bound of T* if its maximum is in the tile; else at least what is known.
 double bound_on(const Tiles& of, double low, double high) {
-  const bool ends = !positive(low - of.contact.c0) || high == 1;
-  const Ball tile = between(low, high);
-  const Ball value = ends ? end_temperature(of, low, high) : of.at(tile, false);
-  if (upper(value) <= of.known) return of.known;
   const double middle = (low + high) / 2;
-  if (!ends) {
-    const Ball slope = of.at(tile, true);
+  if (high == 1 || !positive(low - of.contact.c0)) {
+    if (upper(end_temperature(of, low, high)) <= of.known) return of.known;
+  } else {
+    const Ball slope = of.at(between(low, high), true);
     if (positive(slope) || positive(-slope)) return of.known;
     if (high - low < of.least)
       return upper(widened(of.at(middle, false), (high - low) / 2 * slope));
@@ -90,9 +88,10 @@ double bound_on(const Tiles& of, double low, double high) {
 }
 
 double largest(const ColdContact& c, double peclet, double known) {
-  const slong usual = std::exchange(goal_bits, 30);
-  const double most = bound_on({c, peclet, known, 1e-4}, lower(c.c0), 1);
-  goal_bits = usual;
+  const slong usual_bits = std::exchange(bits, 64), usual_goal = std::exchange(goal_bits, 36);
+  const double most = bound_on({c, peclet, known, 4e-4}, lower(c.c0), 1);
+  bits = usual_bits;
+  goal_bits = usual_goal;
   return most;
 }
 

@@ -81,8 +81,8 @@ TEST(Certified, FirstOrderIsWithinItsErrors) {
         {"$Q^*$", {Quantity::traction, std::stod(row[0])}},
         {"$\\xi^*$", {Quantity::creep, c.creep}}};
     const auto& [quantity, value] = cold.at(row[2]);
-    most = std::max(most, ratio(row, 3, (x.value(quantity) - value) / heating,
-                                x.error(quantity) / heating));
+    most = std::max(
+        most, ratio(row, 3, (x.value(quantity) - value) / heating, x.error(quantity) / heating));
   }
   std::cout << "largest error of a change by heat by its estimate: " << most << '\n';
 }
