@@ -54,7 +54,8 @@ Ball scaled_i(int order, const Ball& x) {
 }
 
 Ball scaled_k(int order, const Ball& x) {
-  const double size = upper(magnitude(x)), lost = size < static_cast<double>(bits) ? 4 * size : 0;
+  const double size = upper(magnitude(x)), enough = 0.55 * static_cast<double>(bits);
+  const double lost = size < enough ? 4 * size : 0;
   const slong usual = std::exchange(bits, bits + static_cast<slong>(lost));
   const Ball k = exponential(x) * done(acb_hypgeom_bessel_k, order, x);
   bits = usual;
