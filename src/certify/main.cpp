@@ -15,9 +15,10 @@ constexpr char library[] = "Arb " ARB_VERSION;
 constexpr char library[] = "FLINT " FLINT_VERSION;
 #endif
 
-/// "m,r" of a real ball, the midpoint with at most sixteen digits.
+/// "m,r" of a real ball, the midpoint with sixteen digits, or three of a large ball.
 std::string in_decimals(const Ball& x) {
-  char* const text = arb_get_str(acb_realref(x.of()), 16, 0);
+  const bool rough = acb_rel_accuracy_bits(x.of()) < 8;
+  char* const text = arb_get_str(acb_realref(x.of()), rough ? 3 : 16, rough ? ARB_STR_MORE : 0);
   std::string all = text;
   flint_free(text);
   const std::size_t at = all.find(" +/- ");
