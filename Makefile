@@ -1,6 +1,7 @@
 # thermoroll: from the chapters in paper/ to the program, the data, the figures and the report.
 # `make help` lists the goals. Everything generated is in build/, but for src/, which is tangled and
-# committed, figures/golden/, which only `make golden` writes, and figures/measured/, that of `make study`, `make soak` and `make sweep-bench`.
+# committed, figures/golden/, which only `make golden` writes, and figures/measured/, that of `make study`, `make soak`,
+# `make sweep-bench` and `make certify`.
 
 MAKEFLAGS += --no-builtin-rules
 .DELETE_ON_ERROR:
@@ -18,6 +19,7 @@ report_packages := $(figure_packages) fonts-lmodern libharfbuzz-bin woff2
 check_packages := $(data_packages) libgtest-dev clang-format clang-tidy libpng-dev python3 groff-base
 python_packages := python3-numpy python3-matplotlib python3-venv python3-wheel
 fortran_packages := gfortran
+certify_packages := libflint-dev libflint-arb-dev
 test_packages := $(report_packages) $(live_packages) $(check_packages) $(python_packages) $(fortran_packages) libxml2-utils chromium parallel poppler-utils
 
 packages_for_all := $(build_packages)
@@ -37,6 +39,7 @@ packages_for_tsan := $(build_packages)
 packages_for_valgrind := $(build_packages) valgrind
 packages_for_sweep-bench := $(build_packages)
 packages_for_soak := $(build_packages)
+packages_for_certify := $(build_packages) $(certify_packages)
 packages_for_mutants := $(test_packages)
 packages_for_fuzz := $(build_packages) clang libclang-rt-dev
 packages_for_coverage := $(build_packages) libgtest-dev
@@ -143,7 +146,7 @@ else
 
 chapters := $(wildcard paper/*.md)
 sources := $(wildcard src/*/*.?pp src/include/*.h src/include/thermoroll/*.hpp)
-live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/c/% %.h,$(sources))
+live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/certify/% src/c/% %.h,$(sources))
 live_scripts := src/live/engine.js src/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
@@ -184,7 +187,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all where data figures report live draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench install clean help
+.PHONY: all where data figures report live draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench certify install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -352,11 +355,13 @@ draft: | build
 # The tests and the benchmarks are switched on in the tree that has the program, before it is
 # compiled and one after the other. What needs data needs the benchmarks.
 with_test := $(if $(filter check test test-release,$(MAKECMDGOALS)),build/release/with-test)
-with_bench := $(if $(filter-out all where draft install valgrind soak mutants sweep-bench,$(MAKECMDGOALS)),build/release/with-bench)
+with_bench := $(if $(filter-out all where draft install valgrind soak mutants sweep-bench certify,$(MAKECMDGOALS)),build/release/with-bench)
 with_soak := $(if $(filter soak,$(MAKECMDGOALS)),build/release/with-soak)
-build/built: | $(with_test) $(with_bench) $(with_soak)
+with_certify := $(if $(filter certify,$(MAKECMDGOALS)),build/release/with-certify)
+build/built: | $(with_test) $(with_bench) $(with_soak) $(with_certify)
 build/release/with-bench: | $(with_test)
 build/release/with-soak: | $(with_test) $(with_bench)
+build/release/with-certify: | $(with_test) $(with_bench) $(with_soak)
 bench: | $(filter test,$(MAKECMDGOALS))
 soak: | $(filter test bench,$(MAKECMDGOALS))
 test test-release: | $(filter check,$(MAKECMDGOALS))
@@ -367,6 +372,7 @@ build/release/with-test: strict := $(if $(wildcard build/built),,-DTHERMOROLL_WE
 build/release/with-test: option := THERMOROLL_TESTS
 build/release/with-bench: option := THERMOROLL_BENCH
 build/release/with-soak: option := THERMOROLL_SOAK
+build/release/with-certify: option := THERMOROLL_CERTIFY
 build/release/with-%: | build/release/Makefile
 	@$(apart) cmake -D$(option)=ON $(strict) build/release >build/release.log || { cat build/release.log; exit 1; }
 	@touch $@
@@ -462,6 +468,14 @@ SWEEP_ROWS ?= 10000 100000 1000000
 sweep-bench: build/thermoroll
 	@mkdir -p figures/measured
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
+
+## certify: enclose results by ball arithmetic, for the appendix on certified results (minutes; needs Arb)
+certify: build/thermoroll
+	@$(compile) build/release --target thermoroll-certify >build/certify.log || { cat build/certify.log; exit 1; }
+	@mkdir -p figures/measured
+	@for part in temperatures tables first-order; do \
+	  build/release/thermoroll-certify $$part '$(revision)' "$$(date -u +%F)" >build/certified.csv || exit 1; \
+	  mv build/certified.csv figures/measured/certified-$$part.csv; done
 
 ## golden: take today's data and figures as the golden ones of the tests, and the README's picture
 golden: $(data_files) $(kept_files) $(counted_files) $(filter-out $(drawn_from_times),$(figure_files))

@@ -97,4 +97,13 @@ double fast_temperature(double zeta) {
   return zeta > 0 ? m * std::exp(-2 * zeta) : m;
 }
 
+std::vector<KernelCell> kernel_cells() {
+  const Table& of = table();
+  std::vector<KernelCell> cells;
+  for (std::uint64_t i = 0; i < of.cells; ++i)
+    cells.push_back({double_of((of.first + i) << shift), double_of((of.first + i + 1) << shift),
+                     &of.coefficients[i * (degree + 1) * 4]});
+  return cells;
+}
+
 }  // namespace thermoroll

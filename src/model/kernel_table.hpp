@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace thermoroll {
 
@@ -29,5 +30,15 @@ SlopeAndStrain fast_slope_and_strain(double zeta);
 /// kernel::M at the surface from the table, zeta != 0; error relative to kernel::M(-|zeta|), that
 /// is, to what the same source does downstream.
 double fast_temperature(double zeta);
+
+/// A cell of the table and its coefficients of u^0 ... u^9 in turn, four kernels each, in the order
+/// of Kernels; u is -1 at low and 1 at high.
+struct KernelCell {
+  double low, high;
+  const double* coefficients;
+};
+
+/// All cells, from short to long distances.
+std::vector<KernelCell> kernel_cells();
 
 }  // namespace thermoroll
