@@ -33,7 +33,7 @@ Ball kernel_on_stick(const ColdContact& c, double peclet, bool slope, bool momen
     return 2 * (1 + exponential(-2 * y)) *
            exponential_on_stick(c, 2 * peclet * grown * grown, moment);
   };
-  const Ball tail = 4 * pi_ball() * c.unit * c.l * exponential(Ball(-32)) * 4 / peclet;
+  const Ball tail = 8 * pi_ball() * pi_ball() * c.unit * c.l * exponential(Ball(-32)) / peclet;
   return sum + widened(integral(high, {0, 1, 2, 4, 8, 16}), tail);
 }
 

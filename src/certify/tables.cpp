@@ -108,8 +108,9 @@ struct CellErrors {
 };
 
 CellErrors errors_on(const KernelCell& cell, std::size_t kernel, Series off, const Ball& disc) {
-  const Ball least = magnitude_on(off, cell, kernel == 1), end = magnitude(value_at_end(off));
   Ball rest = disc / 11 / std::pow(11.9999999, degree);
+  const Ball least = magnitude_on(off, cell, kernel == 1) - rest;
+  const Ball end = magnitude(value_at_end(off));
   const Ball size = near_zero(cell, kernel == 1) ? least : end + rest;
   for (std::size_t j = 0; j < 10; ++j) {
     const double c = cell.coefficients[4 * j + kernel];

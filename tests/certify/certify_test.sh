@@ -4,7 +4,8 @@ source tests/common.sh
 [ -x "$1" ] || exit 77
 
 kept=figures/measured/certified-temperatures.csv
-"$1" temperatures >"$work/rows" 2>/dev/null &
+: >"$work/rows"
+"$1" temperatures revision date >"$work/rows" 2>/dev/null &
 for ((i = 0; i < 600; ++i)); do
   [ "$(wc -l <"$work/rows")" -lt 2 ] || break
   sleep 0.1
