@@ -94,7 +94,7 @@ def RefusesWhatIsNoWord():
     raises(TypeError, "exactly one of", thermoroll.solve, **steel, traction=0.1, creep=0.1)
     raises(TypeError, "nodes must be whole numbers", thermoroll.solve, **steel, traction=0.1, nodes=20.5)
     raises(ValueError, "threads must be from 0", thermoroll.solve, **steel, traction=0.1, threads=-1)
-    raises(ValueError, "broadcast", thermoroll.solve, friction=[0.5, 0.6], traction=[0.1] * 3, peclet=10)
+    raises(ValueError, "these shapes do not fit: friction (2,)", thermoroll.solve, friction=[0.5, 0.6], traction=[0.1] * 3, peclet=10)
 
 
 def LawIsThatOfTheLibrary():
