@@ -330,17 +330,43 @@ std::vector<ExchangedFlux> crossing_flux(const CoupledSolution& x) {
   return crossing_flux(grid_of(x, x.unknowns), x.h);
 }
 
+std::vector<ExchangedFlux> exchanged_fluxes(const Scene& scene, Formulation formulation,
+                                            const SmoothFlux& by, int nodes) {
+  std::vector<ExchangedFlux> all;
+  const ZoneLengths at{by.slip, by.stick};
+  const auto n = static_cast<int>(by.h.size());
+  const GridRules rules(std::max(n, nodes), at);
+  const Nodes z = place_nodes(at, rules.slip, rules.stick);
+  if (is_unlike(scene))
+    all.push_back(exchanged_flux(exchange(scene, formulation, z, rules, n), z, by.h));
+  if (const auto bulk = bulk_exchange(scene, z.y.size()))
+    all.push_back({{2, 0}, scene.bulk_difference * bulk->flux, {}});
+  return all;
+}
+
 ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
-  const Scene& pair = x.scene;
-  if (pair.bulk_difference == 0 && !is_unlike(pair)) return ArrayXd::Zero(s.size());
-  const ZoneLengths at{x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border)};
-  const GridRules rules(std::max(x.unknowns, 60), at);
-  const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
-  const Exchange crossing = exchange(pair, x.formulation, nodes, rules, x.h.size());
-  ArrayXd flux = flux_at(exchanged_flux(crossing, nodes, x.h), s);
-  if (const auto bulk = bulk_exchange(pair, nodes.y.size()))
-    flux += flux_at({{2, 0}, pair.bulk_difference * bulk->flux, {}}, s);
+  const SmoothFlux by{x.value(slip_length), 1 + x.value(stick_slip_border), x.h};
+  ArrayXd flux = ArrayXd::Zero(s.size());
+  for (const ExchangedFlux& e : exchanged_fluxes(x.scene, x.formulation, by, 60))
+    flux += flux_at(e, s);
   return flux;
+}
+
+CrossingFlux flux_for_depths(const Scene& scene, Formulation formulation, const SmoothFlux& by) {
+  const ArrayXd s = ArrayXd::LinSpaced(40, -1, 1);
+  const auto solved_with = [&](int nodes, ArrayXd& temperature) {
+    const auto all = exchanged_fluxes(scene, formulation, by, nodes);
+    for (const ExchangedFlux& e : all)
+      temperature += temperature_of(e, scene.peclet, s, gauss_legendre(96));
+    return all;
+  };
+  ArrayXd coarse = ArrayXd::Zero(s.size()), fine = coarse;
+  solved_with(60, coarse);
+  CrossingFlux crossing;
+  for (const ExchangedFlux& e : solved_with(80, fine))
+    for (const HeatFlux& zone : heat_fluxes(e)) crossing.zones.push_back(zone);
+  crossing.error = (fine - coarse).abs().maxCoeff();
+  return crossing;
 }
 
 Profile profile(const CoupledSolution& x) {

@@ -278,9 +278,10 @@ Target seen_from(const ZoneMap& zone, double from_border) {
   return t < 0.5 ? Target{left, 2 - left, 0} : Target{2 - right, right, 0};
 }
 
-double flux_on(const ZoneMap& zone, double from_border, const VectorXd& series) {
+double flux_on(const ZoneMap& zone, double from_border, double from_edge, const VectorXd& series) {
   const Target at = seen_from(zone, from_border);
-  const double t = from_border / zone.length, root = zone.two_edges ? t * (1 - t) : 1 - t;
+  const double rest = from_edge / zone.length;
+  const double root = zone.two_edges ? from_border / zone.length * rest : rest;
   const ArrayXd x = ArrayXd::Constant(1, (at.left - at.right) / 2);
   return legendre(x, series.size()).row(0).dot(series) / std::sqrt(root);
 }
@@ -407,10 +408,22 @@ ArrayXd flux_at(const ExchangedFlux& x, const ArrayXd& s) {
   for (Index i = 0; i < s.size(); ++i) {
     if (!(-1 < s(i) && s(i) < 1)) continue;
     const bool slips = s(i) > c0;
-    flux(i) = slips ? flux_on(slip_map(x.at), s(i) - c0, x.slip)
-                    : flux_on(stick_map(x.at), c0 - s(i), x.stick);
+    flux(i) = slips ? flux_on(slip_map(x.at), s(i) - c0, 1 - s(i), x.slip)
+                    : flux_on(stick_map(x.at), c0 - s(i), 1 + s(i), x.stick);
   }
   return flux;
+}
+
+std::vector<HeatFlux> heat_fluxes(const ExchangedFlux& x) {
+  const double c0 = x.at.c0();
+  std::vector<HeatFlux> zones{{c0, 1, [x](double left, double right) {
+                                 return flux_on(slip_map(x.at), left, right, x.slip);
+                               }}};
+  if (x.stick.size() > 0)
+    zones.push_back({-1, c0, [x](double left, double right) {
+                       return flux_on(stick_map(x.at), right, left, x.stick);
+                     }});
+  return zones;
 }
 
 ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const ArrayXd& s,

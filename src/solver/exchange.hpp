@@ -71,6 +71,9 @@ ExchangedFlux exchanged_flux(const Exchange& x, const Nodes& z, const Eigen::Vec
 /// E at every s; zero outside of the contact.
 Eigen::ArrayXd flux_at(const ExchangedFlux& x, const Eigen::ArrayXd& s);
 
+/// E on the slip zone and, if there is one, on the stick zone.
+std::vector<HeatFlux> heat_fluxes(const ExchangedFlux& x);
+
 /// The integral of M(Pe (t - s)) E / pi at every s of the surface; a rule of a multiple of eight
 /// nodes.
 Eigen::ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const Eigen::ArrayXd& s,

@@ -55,6 +55,17 @@ double part_with_law(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 bool decays_slowly(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 int unknowns_after(int n);
 
+/// E of any two bodies that conduct, on this many nodes or more, for the h of friction.
+std::vector<ExchangedFlux> exchanged_fluxes(const Scene& scene, Formulation formulation,
+                                            const SmoothFlux& by, int nodes);
+
+/// E by its zones, and the error of the temperature by it.
+struct CrossingFlux {
+  std::vector<HeatFlux> zones;
+  double error = 0;
+};
+CrossingFlux flux_for_depths(const Scene& scene, Formulation formulation, const SmoothFlux& by);
+
 /// The flux that crosses between both bodies in a solution, if it is solved for.
 std::vector<ExchangedFlux> crossing_flux(const CoupledSolution& x);
 

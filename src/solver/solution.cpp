@@ -466,8 +466,6 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {
   require(depth >= 0, "depth", depth, "zero or positive");
-  const bool exchanging = is_unlike(x.scene) || x.scene.bulk_difference != 0;
-  require(depth == 0 || !exchanging, "depth", depth, "0 where heat crosses between the bodies");
   if (const auto* scheme = std::get_if<PublishedSolution>(&x.found)) {
     require(depth == 0, "depth", depth, "0 with gauss-chebyshev, whose rule is for the surface");
     return scheme_curve(x.scene, *scheme, at);
@@ -493,9 +491,19 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
       curve.points.push_back({s(i), all(i), share * found.error + flux_error});
   } else {
     const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
+    SmoothFlux by = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
+    if (coupled) by.h = coupled->h;
+    const CrossingFlux crossing = flux_for_depths(x.scene, x.approach.formulation, by);
+    const double scale = crossing.zones.empty() ? 0 : scale_in(x.scene, x.value)(max_temperature);
     for (const double s : at) {
-      const Estimate t = temperature(flux, x.scene.peclet, s, depth);
-      curve.points.push_back({s, share * t.value, share * t.error + flux_error});
+      const Estimate own = temperature(flux, x.scene.peclet, s, depth, scale);
+      CurvePoint point{s, share * own.value, share * own.error + flux_error + crossing.error};
+      for (const HeatFlux& zone : crossing.zones) {
+        const Estimate more = temperature(zone, x.scene.peclet, s, depth, scale);
+        point.temperature += more.value;
+        *point.error += more.error;
+      }
+      curve.points.push_back(point);
     }
   }
   return curve;

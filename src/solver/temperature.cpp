@@ -26,7 +26,7 @@ std::vector<double> difficult_points(double start, double end,
 }
 }  // namespace
 
-Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth) {
+Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth, double scale) {
   require(peclet > 0, "peclet", peclet, "positive");
   require(true, "s", s, "finite");
   require(depth >= 0, "depth", depth, "zero or positive");
@@ -36,7 +36,8 @@ Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth
     return kernel::M(peclet * (gap + u), peclet * depth) * flux.density(u - start, end - u) / pi;
   };
   return integrate(integrand,
-                   difficult_points(start, end, {1 / peclet, depth, std::abs(gap), -start, end}));
+                   difficult_points(start, end, {1 / peclet, depth, std::abs(gap), -start, end}),
+                   scale);
 }
 
 Estimate total_heat(const HeatFlux& flux) {

@@ -1,6 +1,7 @@
 // Tangled from paper/07-temperature.md; edit there.
 #include "thermoroll/quadrature.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -38,19 +39,20 @@ gsl_function wrapped(const Function& f) {
 
 }  // namespace
 
-Estimate integrate(const Function& f, const std::vector<double>& points) {
+Estimate integrate(const Function& f, const std::vector<double>& points, double scale) {
   const Workspace space(gsl_integration_workspace_alloc(intervals));
   gsl_function function = wrapped(f);
   Estimate sum{0, 0};
   for (std::size_t i = 1; i < points.size(); ++i) {
     Estimate panel{};
-    const int status = gsl_integration_qags(&function, points[i - 1], points[i], 0, target,
-                                            intervals, space.get(), &panel.value, &panel.error);
+    const int status =
+        gsl_integration_qags(&function, points[i - 1], points[i], target * scale, target, intervals,
+                             space.get(), &panel.value, &panel.error);
     if (status == GSL_EDIVERGE) panel.error += std::abs(panel.value);
     sum.value += panel.value;
     sum.error += panel.error + noise * std::abs(panel.value);
   }
-  if (!(sum.error <= promised * std::abs(sum.value) + tiny)) {
+  if (!(sum.error <= promised * std::max(std::abs(sum.value), scale) + tiny)) {
     std::ostringstream message;
     message << "integral from " << points.front() << " to " << points.back()
             << " not resolved: " << sum.value << " with estimated error " << sum.error;

@@ -575,6 +575,27 @@ TEST(Exchange, ProfilesHaveTheFluxIntoEitherBody) {
   }
 }
 
+// At a depth of 1e-18 the temperature is that of the surface, by another quadrature of the same
+// flux: graded rules and, in a long contact, kernels that contain the exchange, against adaptive
+// panels. Up to there it changes most at the edges, where the flux is infinite: by its root, 1e-9.
+TEST(Exchange, TemperatureBelowTheSurfaceStartsThere) {
+  const std::vector<double> at{-1.5, -1, -0.5922, -0.2, -0.1845, 0.1, 0.8149, 1, 1.7};
+  std::vector<Scene> scenes{{0.6, 100, 0.02, {0.5, 0.03, 300}}};  // a long contact
+  for (const auto& reference : references) scenes.push_back(reference.bodies.scene_with_bulk());
+  for (const Scene& scene : scenes)
+    for (const Method method : {Method::coupled, Method::automatic}) {
+      const Solution x = solve(scene, {Quantity::stick_slip_border, -0.1845},
+                               {Formulation::corrected, 1e-7, method});
+      const Curve surface = temperature_curve(x, at, 0), below = temperature_curve(x, at, 1e-18);
+      const double top = x.value(Quantity::max_temperature);
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        const CurvePoint &p = surface.points[i], &q = below.points[i];
+        EXPECT_NEAR(p.temperature, q.temperature, *p.error + *q.error + 1e-9) << at[i];
+        EXPECT_LT(*q.error, 1e-5 * top);
+      }
+    }
+}
+
 // Ahead of the border heat leaves the body of the higher diffusivity, whichever has the higher
 // effusivity, and less the farther: at the trailing side of the zone that sticks it is largest.
 TEST(Exchange, HeatRunsAheadInTheMoreDiffusiveBody) {

@@ -13,8 +13,10 @@ struct Estimate {
 };
 
 /// Integrate f from points.front() to points.back(); f may be singular (integrably) or sharp only
-/// at the points, which ascend strictly. Relative error below 1e-9 or std::runtime_error.
-Estimate integrate(const std::function<double(double)>& f, const std::vector<double>& points);
+/// at the points, which ascend strictly. Error below 1e-9 of the integral, or of the scale of a sum
+/// in which it is a term; or std::runtime_error.
+Estimate integrate(const std::function<double(double)>& f, const std::vector<double>& points,
+                   double scale = 0);
 
 /// The place of the minimum of f between low and high, with f(middle) below f at both;
 /// std::runtime_error if it is not. To about the square root of rounding error (Brent's method).

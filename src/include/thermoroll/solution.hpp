@@ -133,8 +133,8 @@ struct Curve {
   bool converged = true;
 };
 
-/// T* at the points s, at a depth in units of a (0 for the scheme). Throws std::invalid_argument,
-/// and std::runtime_error where an integral is not resolved.
+/// T* at the points s, at a depth in body 1 in units of a (0 for the scheme). Throws
+/// std::invalid_argument, and std::runtime_error where an integral is not resolved.
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth);
 
 /// The least f phi(T*) on the slip zone; nothing where friction is constant or nothing slips.
