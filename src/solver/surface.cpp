@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "solver/graded_rule.hpp"
@@ -32,6 +33,140 @@ double temperature_sum(const Conduction& c, const GradedRule& graded, const Grad
                        double side, double distance) {
   if (side > 0 && distance * c.slowest > underflow_distance) return 0;
   return (temperature_kernel(c, side, graded.zeta + distance) * heat).sum();
+}
+/// A flux on the slip zone, and its heat on the rules from both ends; in units of slip^2 / pi.
+struct SurfaceHeat {
+  double slip;
+  const Conduction& conduction;
+  const VectorXd& h;
+  const GaussLegendre& rule;
+  GradedRule first{}, last{};
+  GradedArray at_first{}, at_last{};
+  double before(double distance) const {
+    return temperature_sum(conduction, first, at_first, 1, conduction.peclet * distance);
+  }
+  double behind(double distance) const {
+    return temperature_sum(conduction, last, at_last, -1, conduction.peclet * distance);
+  }
+  /// Of one body, over exp(-2 Pe distance).
+  double growth_before(double distance) const {
+    const GradedArray heat = at_first * (-2 * first.zeta).exp();
+    return temperature_sum(conduction, first, heat, -1, conduction.peclet * distance);
+  }
+  /// At the distances 1 + y and 1 - y from its ends.
+  double inside(double left, double right) const {
+    return from(left, right, 1) + from(right, left, -1);
+  }
+  double from(double behind, double ahead, double side) const {
+    GradedRule graded;
+    grade(graded, conduction.peclet * slip, 0, behind, ahead, rule);
+    if (side > 0) graded.cut(20 / conduction.slowest);
+    return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side, 0);
+  }
+};
+
+SurfaceHeat surface_heat(double slip, const Conduction& conduction, const VectorXd& h,
+                         const GaussLegendre& rule) {
+  SurfaceHeat x{slip, conduction, h, rule};
+  grade(x.first, conduction.peclet * slip, 0, 0, 2, rule);
+  x.last = x.first;
+  x.first.cut(20 / conduction.slowest);
+  x.at_first = x.first.heat * series(1, x.first.y, h);
+  x.at_last = x.last.heat * series(-1, x.last.y, h);
+  return x;
+}
+
+/// The distances from both ends of the slip zone, positive in it.
+struct FromEnds {
+  double left, right;
+};
+
+FromEnds from_ends(const ZoneLengths& at, double s) {
+  const double right = 1 - s;
+  return {at.slip < at.stick ? at.slip - right : 1 + s - at.stick, right};
+}
+
+/// 1 + y and 1 - y of a point in the zone.
+FromEnds in_y(const FromEnds& x, double slip) {
+  const double near = distance_of_share(std::min({x.left, x.right, slip / 2}) / slip);
+  return x.left < x.right ? FromEnds{near, 2 - near} : FromEnds{2 - near, near};
+}
+
+/// f at all x in [-1, 1]: itself, or a polynomial through n or more of its values; and its error.
+SurfaceCurve at_many_places(const std::function<double(double)>& f, const ArrayXd& x, int n,
+                            double tolerance) {
+  for (; 4 * n <= 3 * x.size() && n <= most_unknowns; n *= 2) {
+    const GaussLegendre& rule = gauss_legendre(n);
+    const VectorXd c = to_legendre(rule) * rule.x.unaryExpr(f).matrix();
+    const double error = 2 * c.tail(n / 8).lpNorm<1>();
+    if (error <= tolerance) return {legendre(x, n) * c, error};
+  }
+  return {x.unaryExpr(f), 0};
+}
+
+SurfaceCurve on_a_side(const std::function<double(double)>& f, double delta, const ArrayXd& d,
+                       double tolerance) {
+  if (d.size() < 50 || d.maxCoeff() == 0) return {d.unaryExpr(f), 0};
+  const double k = std::log1p(d.maxCoeff() / delta);
+  const ArrayXd r = ((d / delta).log1p() / k).sqrt();
+  const auto at = [&](double x) { return f(delta * std::expm1(k * (1 + x) * (1 + x) / 4)); };
+  return at_many_places(at, 2 * r - 1, 32, tolerance);
+}
+
+SurfaceCurve temperatures_before(const SurfaceHeat& heat, double delta, const ArrayXd& d,
+                                 double tolerance) {
+  if (heat.conduction.pair) return {d.unaryExpr([&](double far) { return heat.before(far); }), 0};
+  const auto growth = [&](double far) { return heat.growth_before(far); };
+  const SurfaceCurve x = on_a_side(growth, delta, d, tolerance);
+  return {x.temperature * (-2 * heat.conduction.peclet * d).exp(), x.error};
+}
+
+struct PointsOnSide {
+  std::vector<Index> index;
+  std::vector<double> place;
+  void add(Index i, double at) {
+    index.push_back(i);
+    place.push_back(at);
+  }
+  ArrayXd all() const {
+    return Eigen::Map<const ArrayXd>(place.data(), static_cast<Index>(place.size()));
+  }
+};
+
+void put(const PointsOnSide& x, const SurfaceCurve& found, SurfaceCurve& all) {
+  for (std::size_t k = 0; k < x.index.size(); ++k)
+    all.temperature(x.index[k]) = found.temperature(static_cast<Index>(k));
+  all.error = std::max(all.error, found.error);
+}
+
+SurfaceCurve at_many_points(const ZoneLengths& at, const SurfaceHeat& heat, const ArrayXd& s,
+                            double tolerance) {
+  PointsOnSide before, inside, behind;
+  for (Index i = 0; i < s.size(); ++i) {
+    const FromEnds x = from_ends(at, s(i));
+    if (x.left <= 0)
+      before.add(i, -x.left);
+    else if (x.right <= 0)
+      behind.add(i, -x.right);
+    else
+      inside.add(i, in_y(x, at.slip).left - 1);
+  }
+  const double unit = at.slip * at.slip / pi, limit = tolerance / unit;
+  const double delta = std::min(1 / heat.conduction.peclet, heat.slip);
+  const int n = 48 + static_cast<int>(20 * std::log10(1 + heat.conduction.peclet * at.slip));
+  const auto in_zone = [&](double y) { return heat.inside(1 + y, 1 - y); };
+  const auto out_of_zone = [&](double d) { return heat.behind(d); };
+  SurfaceCurve all{ArrayXd(s.size()), 0};
+  put(before, temperatures_before(heat, delta, before.all(), limit), all);
+  put(inside, at_many_places(in_zone, inside.all(), n, limit), all);
+  put(behind, on_a_side(out_of_zone, delta, behind.all(), limit), all);
+  return {unit * all.temperature, unit * all.error};
+}
+
+/// Estimated error of all temperatures, of which the largest is top, from the largest change by
+/// eight more nodes.
+double quadrature_error(int nodes, double change, double top) {
+  return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }
 
 }  // namespace
@@ -112,35 +247,16 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Vecto
 
 ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction, const VectorXd& h,
                             const ArrayXd& s, const GaussLegendre& rule) {
-  const double slip = at.slip;
-  GradedRule first, last, graded;
-  grade(first, conduction.peclet * slip, 0, 0, 2, rule);
-  grade(last, conduction.peclet * slip, 0, 0, 2, rule);
-  first.cut(20 / conduction.slowest);
-  const GradedArray at_first = first.heat * series(1, first.y, h);
-  const GradedArray at_last = last.heat * series(-1, last.y, h);
+  const SurfaceHeat heat = surface_heat(at.slip, conduction, h, rule);
   ArrayXd sums(s.size());
   for (Index i = 0; i < s.size(); ++i) {
-    const double right = 1 - s(i);
-    const double left = slip < at.stick ? slip - right : 1 + s(i) - at.stick;
-    if (left <= 0) {
-      sums(i) = temperature_sum(conduction, first, at_first, 1, -conduction.peclet * left);
-    } else if (right <= 0) {
-      sums(i) = temperature_sum(conduction, last, at_last, -1, -conduction.peclet * right);
-    } else {
-      const double share = std::min({left, right, slip / 2}) / slip;
-      const double near = distance_of_share(share), far = 2 - near;
-      const auto from = [&](double behind, double ahead, double side) {
-        grade(graded, conduction.peclet * slip, 0, behind, ahead, rule);
-        if (side > 0) graded.cut(20 / conduction.slowest);
-        return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side,
-                               0);
-      };
-      sums(i) = left < right ? from(near, far, 1) + from(far, near, -1)
-                             : from(far, near, 1) + from(near, far, -1);
-    }
+    const FromEnds x = from_ends(at, s(i)), y = in_y(x, at.slip);
+    if (x.left <= 0)
+      sums(i) = heat.before(-x.left);
+    else
+      sums(i) = x.right <= 0 ? heat.behind(-x.right) : heat.inside(y.left, y.right);
   }
-  return slip * slip / pi * sums;
+  return at.slip * at.slip / pi * sums;
 }
 
 SmoothFlux smooth_flux(const Carter& c) {
@@ -158,12 +274,6 @@ VectorXd without_ripples(const Scene& scene, const VectorXd& h) {
   if (scene.bulk_difference == 0 || apart == 0 || h.size() <= 20) return h;
   const ArrayXd degree = ArrayXd::LinSpaced(h.size(), 0, static_cast<double>(h.size() - 1));
   return h.array() * (-36 * (degree / static_cast<double>(h.size())).pow(10)).exp();
-}
-
-/// Estimated error of all temperatures, of which the largest is top, from the largest change by
-/// eight more nodes.
-double quadrature_error(int nodes, double change, double top) {
-  return change / 2 + (6 * std::pow(nodes, -6) + 1e-14) * top;
 }
 
 SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, const ArrayXd& s,
@@ -186,7 +296,11 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
     const ArrayXd now = with(nodes += 8, some);
     const double top = now.maxCoeff();
     const double error = quadrature_error(nodes, (now - before).abs().maxCoeff(), top);
-    if (error <= tolerance * top || nodes >= most_unknowns) return {with(nodes, s), error};
+    if (error <= tolerance * top / 2 || nodes >= most_unknowns) {
+      const SurfaceHeat heat = surface_heat(x.slip, conduction, x.h, gauss_legendre(nodes));
+      const SurfaceCurve all = at_many_points({x.slip, x.stick}, heat, s, tolerance * top / 2);
+      return {all.temperature, error + all.error};
+    }
     before = now;
   }
 }

@@ -88,6 +88,28 @@ TEST(Surface, ManyPointsHaveTheErrorOfFew) {
   }
 }
 
+// Thousands of points are interpolated; each has the temperature that it has alone, to both errors.
+// It is negative nowhere. One body of two has no such function before the border.
+TEST(Surface, ManyPointsAgreeWithEachPoint) {
+  const auto flux = smooth_flux(thermoroll::solve_coupled(
+      {0.6, 50, 0.1}, {thermoroll::Formulation::corrected, 1e-8}, {Quantity::traction, 0.5}));
+  const Eigen::ArrayXd s = Eigen::ArrayXd::LinSpaced(4000, -1.1, 3);
+  thermoroll::Scene pair{0.6, 50, 0.1, {0.5, 0.1, 300}};
+  for (const thermoroll::Conduction& by :
+       {thermoroll::Conduction(0.3), thermoroll::Conduction(50), thermoroll::Conduction(4360),
+        thermoroll::Conduction(1e6), thermoroll::Conduction(pair)})
+    for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+      const SurfaceCurve x = surface_curve(flux, by, s, tolerance);
+      EXPECT_GE(x.temperature.minCoeff(), by.pair ? -1e-16 : 0);  // of two bodies, a difference
+      EXPECT_LE(x.error, 1.001 * tolerance * x.temperature.maxCoeff());
+      for (Eigen::Index i = 0; i < s.size(); i += 13) {
+        const SurfaceCurve alone = surface_curve(flux, by, s.segment(i, 1), 1e-11);
+        EXPECT_NEAR(x.temperature(i), alone.temperature(0), x.error + alone.error)
+            << s(i) << ", Pe " << by.peclet;
+      }
+    }
+}
+
 // The graded rules need not resolve what the solver has not: the error of the flux covers that.
 TEST(Surface, CoupledFluxAgreesWithAdaptiveQuadrature) {
   for (const double peclet : {1.0, 100.0, 4360.0})
