@@ -2,6 +2,7 @@
 #include "thermoroll/coupled.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -23,12 +24,13 @@ using enum Quantity;
 
 namespace {
 
-/// The error estimated from the tail of h on a grid of n unknowns; slow if convergence is slow.
-double unresolved(double tail, int n, bool slow) {
+/// The error estimated from the tail of h on a grid of n unknowns, and of so many times its square
+/// in a layer; slow if convergence is slow.
+double unresolved(double tail, int n, bool slow, double in_layer = 30) {
   const double part = (n < 30 ? 20.0 : 10.0) / n / n;
   const bool early = n <= 100 && (slow || n >= 30);
   const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
-  const double layer = tail > large ? std::min(1e3 * tail, 1.0) : 0;
+  const double layer = tail > large ? std::min(in_layer * tail, 1.0) : 0;
   return tail * std::max(part, layer);
 }
 
@@ -46,20 +48,42 @@ double part_of_change(int n, bool slow) {
   return 0.2;
 }
 
-/// Estimated error of all quantities, each relative to its scale, on the grid of n unknowns with
-/// the tail now and before, and the change since the previous grid; slow if convergence is slow.
-double estimate(const Results& change, double now, double before, int n, bool slow) {
-  double integrals = 0;
-  for (int i = 0; i + 1 < compared; ++i) integrals = std::max(integrals, change[i]);
-  const double size = n, part = part_of_change(n, slow);
-  const double shrunk = std::clamp(now / before, part / 4, part);
-  return std::max({unresolved(now, n, slow), part * integrals, shrunk * change(max_temperature)}) +
-         4 * std::pow(24 + size, -6) + 1e-14 * size;
+/// The factor of the part of a change, by the tail now and before.
+double shrinking(double now, double before, int n, bool slow) {
+  if (n < 30 || n > 200) return 1;
+  return std::clamp(10 * now / before, slow ? 0.2 : 0.1, 1.0);
+}
+
+/// Estimated errors, each relative to its scale, on the grid of n unknowns with the tail now and
+/// before, and the change since the previous grid; slow if convergence is slow.
+Results estimate(const Results& change, double now, double before, int n, bool slow) {
+  const double part = part_of_change(n, slow), size = n, rules = 4 * std::pow(24 + size, -6);
+  const double product = part * shrinking(now, before, n, slow);
+  Results error = product * change;
+  error(max_temperature) =
+      std::min(product, std::clamp(now / before, part / 4, part)) * change(max_temperature);
+  const double largest = error.head(compared).maxCoeff();
+  error = error.max(std::max(0.3 * largest, unresolved(now, n, slow))) + rules + 1e-14 * size;
+  error(max_temperature) += 2 * rules;
+  return error;
+}
+
+/// After a grid of n unknowns and the one before it, for an estimate that is so many times the
+/// tolerance.
+int next_unknowns(int n, const GridSolution& last, const GridSolution& level, double missing) {
+  const auto before = static_cast<int>(last.h.size()), now = static_cast<int>(level.h.size());
+  double next = 2 * n;
+  if (now > before && !level.crossing) {
+    const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
+    if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 6, 1.3 * n, next);
+  }
+  const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
+  return std::min((static_cast<int>(next) + group - 1) / group * group, most_unknowns);
 }
 
 double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now) {
   const double n = static_cast<double>(now.size());
-  return std::max(unresolved(tail(now), static_cast<int>(n), false),
+  return std::max(unresolved(tail(now), static_cast<int>(n), false, 1e3),
                   part_with_law(before, now) * change.head(compared).maxCoeff()) +
          4 * std::pow(24 + n, -6) + 1e-14 * n;
 }
@@ -116,10 +140,10 @@ Results carried_over(const GridSolution& level, const Prescribed& given, const R
 }
 
 /// The values of a solution so far, corrected for the prescribed quantity, the change since the
-/// previous grid and the estimated error, both relative.
+/// previous grid and the estimated errors, both relative.
 struct Refinement {
-  Results value, change = Results::Zero();
-  double error = 1;
+  Results value, change = Results::Zero(), error = Results::Ones();
+  double worst() const { return error.head(compared).maxCoeff(); }
 };
 
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
@@ -131,15 +155,17 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : slow ? 0.004 : 0.02;
+  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
-  double left = bent ? 2 * change.head(compared).maxCoeff() : estimate(change, now, then, n, slow);
-  if (scene.law && !bent && !slow && !level.crossing)
-    left = estimate_with_law(change, last.h, level.h);
+  const double largest = change.head(compared).maxCoeff();
+  Results left = estimate(change, now, then, n, slow);
+  if (scene.law && !slow && !level.crossing)
+    left.setConstant(estimate_with_law(change, last.h, level.h));
+  if (bent) left.setConstant(2 * largest);
   if (level.crossing && !bent) {
-    const double half = 0.5 * change.head(compared).maxCoeff();
     const bool rough = scene.bulk_difference != 0 && n <= 40;
-    left = std::max({flat ? 0 : left, half, rough ? 2 * change(max_temperature) : 0});
+    const double least = std::max(0.5 * largest, rough ? 2 * change(max_temperature) : 0);
+    left.setConstant(std::max(flat ? 0 : left.head(compared).maxCoeff(), least));
   }
   return {value, change, left + rounding(given, slope, scale)};
 }
@@ -150,7 +176,7 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   const auto n = static_cast<int>(level.h.size());
   CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
                     level.h, level.violations, trace};
-  x.error(max_temperature_at) = level.at.slip * std::sqrt(found.error);
+  x.error(max_temperature_at) = level.at.slip * std::sqrt(found.error(max_temperature));
   if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
   if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);
@@ -237,29 +263,32 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
   std::vector<GridStep> trace{step_of(level)};
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2,
                    (scene.law ? 4 : 5) * std::clamp(digits, 2, 6));
-  for (int stalled = 0;; n = scene.law ? unknowns_after(n) : std::min(2 * n, most_unknowns)) {
+  for (int stalled = 0; stalled < 2;) {
     const GridSolution last = level;
-    const double best = found.error;
+    const double best = found.worst();
     level = next(n, last);
     trace.push_back(step_of(level));
     if (level.newton_steps > 0) {
       found = refined(scene, found, level, last, given, slope);
+    }
+    const double worst = found.worst();
+    if (level.newton_steps > 0) {
       trace.back().change = found.change.head(compared).maxCoeff();
-      trace.back().estimate = found.error;
+      trace.back().estimate = worst;
       if (level.crossing && last.crossing) {
         level.crossing->heat_error = std::abs(level.crossing->heat - last.crossing->heat);
         level.crossing->edge_error = std::abs(level.crossing->edge - last.crossing->edge);
       }
-      if (found.error <= tolerance && same_violations(level.violations, last.violations))
+      if (worst <= tolerance && same_violations(level.violations, last.violations))
         return solution_of(scene, approach.formulation, level, found, trace);
-      stalled =
-          n > 64 && found.error > 0.5 * best && found.error > 100 * tolerance ? stalled + 1 : 0;
+      stalled = n > 64 && worst > 0.5 * best && worst > 100 * tolerance ? stalled + 1 : 0;
     } else {
       level = last;
     }
-    if (stalled == 2 || n == most_unknowns) break;
+    if (n == most_unknowns) break;
+    n = scene.law ? unknowns_after(n) : next_unknowns(n, last, level, worst / tolerance);
   }
-  const bool only_verdict = found.error <= tolerance;
+  const bool only_verdict = found.worst() <= tolerance;
   throw NotResolved((only_verdict ? "coupled: whether it is a contact is not resolved"
                                   : "coupled: not resolved to " + shortest(tolerance)) +
                         " with " + std::to_string(n) + " unknowns",

@@ -48,7 +48,7 @@ struct GridRules {
   explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1, int more = 0)
       : slip(gauss_legendre(n)),
         stick(gauss_legendre(stick_nodes(n, at))),
-        graded(rounded_up(4, std::min(most_unknowns, more + (n > 64 ? n : 16 + (n + 2) / 3)))),
+        graded(rounded_up(4, std::min(most_unknowns, more + std::max(16 + (n + 2) / 3, n)))),
         fine(rounded_up(8, temperature_nodes(n + more, at.slip * peclet))) {}
   const GaussLegendre &slip, &stick, &graded, &fine;
 };

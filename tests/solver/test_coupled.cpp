@@ -612,6 +612,25 @@ struct SoakScene {
   double tolerance;
 };
 
+// From the first fine grid on, each has 1.3 to 2 times the unknowns of the one before, up to the
+// next number that is kept: an eighth of an octave further. Where the coefficients fall fast enough
+// it is not the double, and then the estimate falls by what was missing, or nearly so.
+TEST(Coupled, TheNextGridIsPredicted) {
+  int predicted = 0;
+  for (const double heating : {0.0175, 0.3, 1.0})
+    for (const double peclet : {10.0, 1e3, 1e5}) {
+      const CoupledSolution x = solve_coupled(
+          {0.6, peclet, heating}, {Formulation::corrected, 1e-9}, {Quantity::traction, 0.5});
+      for (std::size_t i = 2; i < x.trace.size(); ++i) {
+        const double ratio = static_cast<double>(x.trace[i].unknowns) / x.trace[i - 1].unknowns;
+        EXPECT_GE(ratio, std::min(1.3, 480.0 / x.trace[i - 1].unknowns));
+        EXPECT_LE(ratio, 2.25);
+        if (ratio < 1.8) ++predicted;
+      }
+    }
+  EXPECT_GE(predicted, 9);
+}
+
 // In each of these one rule of the estimate is what makes it hold: the whole change in slow scenes
 // and three times the change on their coarsest grids, more for the tail on coarse grids, more for
 // a large tail, and the change of the largest temperature; in the last two, the nodes that the

@@ -448,9 +448,9 @@ TEST(LeastModel, FirstOrderErrorCoversTheShortestSlipZones) {
 // whose solution is a contact.
 TEST(LeastModel, NoContactIsNotLeftToTheFirstOrder) {
   for (const Formulation formulation : both) {
-    Driven scene{0.6, 0.6 * (1 - 1e-9), 1e9, 1};
+    Driven scene{0.6, 0.6 * (1 - 1e-11), 1e8, 1};
     const Prescribed given{Quantity::traction, scene.traction};
-    scene.heating = 1e-2 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
+    scene.heating = 2e-2 / thermoroll::expected_change(scene, thermoroll::carter_given(0.6, given));
     const CoupledSolution x = thermoroll::first_order(scene, {formulation, 1e-7}, given);
     ASSERT_EQ(x.violations.size(), 1u);
     EXPECT_LE(std::abs(x.violations[0].from - x.value(Quantity::stick_slip_border)), 1e-4);

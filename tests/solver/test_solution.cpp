@@ -459,8 +459,8 @@ TEST(Solution, PeaksAreTheHighestOfManyTops) {
 TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
   int finest = 0;
   for (const Method method : {Method::coupled, Method::first_order})
-    for (const double tolerance : {1e-2, 1e-4, 1e-10}) {
-      const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 1 : 0.1};
+    for (const double tolerance : {1e-2, 1e-4, 1e-11}) {
+      const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 3 : 0.1};
       const Solution x = solve(scene, {Formulation::printed, tolerance, method});
       const auto& found = std::get<CoupledSolution>(x.found);
       int n = found.unknowns;
@@ -660,7 +660,8 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
 // The scene of a radius, solved loosely, is the scene of the half-width from which that radius
 // came: all that is reported of the latter, tightly, lies within the errors of the former. All of
 // it goes with a power of the half-width of one at least, and so has its relative error on top, but
-// for rounding in the difference of two errors.
+// for rounding in the difference of two errors. The tolerance is that of the results; the peaks, of
+// which it does not ask anything, have errors of less than ten times it here.
 TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
   for (const double load : {1.2e7, 1e8})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
@@ -681,7 +682,7 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
           EXPECT_NEAR(x.value.*field, exact.value.*field, *x.error.*field + *exact.error.*field);
           EXPECT_GE(*x.error.*field - *given_size.error.*field, 0.99 * of_size * x.value.*field);
           EXPECT_GT(*x.error.*field, 0);
-          EXPECT_LT(*x.error.*field, 5 * tolerance * x.value.*field);
+          EXPECT_LT(*x.error.*field, 10 * tolerance * x.value.*field);
         }
         c.half_width = exact.value.half_width;
       }
