@@ -383,17 +383,20 @@ check: build/built
 	@$(compile) build/release --target unit-tests thermoroll-bench thermoroll-count thermoroll-study >build/check.log || { cat build/check.log; exit 1; }
 	@$(ctest) --preset check
 
-tested := build/data/claims.txt build/report.html build/paper.html
-build_tests = @echo "Building the tests"; $(compile) build/release
+# The tests are compiled while the report is written, but not while the benchmarks run.
+.PHONY: test-programs
+test-programs: build/built | build/data/times.json $(filter check,$(MAKECMDGOALS))
+	@echo "Building the tests"
+	@$(compile) build/release
+tested := build/data/claims.txt build/report.html build/paper.html test-programs
 
 ## test: every test but those of test-release
 test: $(tested)
-	$(build_tests)
 	@$(ctest) --test-dir build/release -LE release
 
 ## test-release: the unit tests under the sanitizers, and the rarest and longest tests
 test-release: $(tested)
-	$(build_tests) && $(compile) build/release --target soak
+	@$(compile) build/release --target release-tests
 	@$(ctest) --test-dir build/release -L release
 
 # These builds compile their own tangled copy, with #line.

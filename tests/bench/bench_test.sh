@@ -40,7 +40,7 @@ StudyIsWritten() {
 }
 
 # The evaluations are counted alike by every build, and refused where they cannot be written.
-CountIsTheGoldenOne() { # slow
+CountIsTheGoldenOne() { # for a release
   mkdir "$work/counted"
   "$count" "$work/counted" || fail "status $?"
   cmp <(cut -d, -f1-3,5 "$work/counted/evaluations.csv") <(cut -d, -f1-3,5 figures/golden/evaluations.csv) ||

@@ -46,8 +46,8 @@ bool is_best(const Table& table, std::size_t row, const std::string& cost) {
 }
 
 /// Whether a row is one of those meant: every condition holds, as "method=printed" or "zeta>3".
-bool meant(const Table& table, std::size_t row, const std::string& where) {
-  for (const std::string& condition : split(where, ';')) {
+bool meant(const Table& table, std::size_t row, const std::vector<std::string>& where) {
+  for (const std::string& condition : where) {
     const std::size_t sign = condition.find_first_of("=<>");
     const std::string name = condition.substr(0, sign), value = condition.substr(sign + 1);
     bool holds = false;
@@ -95,9 +95,10 @@ std::vector<Datum> expected(const Table& table, const Row& curve, const Panel& p
       result.push_back({panel.place(std::stod(x[i]), std::stod(y.at(i))), 0});
     return result;
   }
+  const std::vector<std::string> where = split(curve.at("where"), ';');
   const bool has_z = !curve.at("z").empty() && curve.at("mark") != "text";
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (!meant(table, row, curve.at("where"))) continue;
+    if (!meant(table, row, where)) continue;
     const Place place =
         panel.place(quantity(table, row, curve.at("x")), quantity(table, row, curve.at("y")));
     const double z = has_z ? quantity(table, row, curve.at("z")) : 0;

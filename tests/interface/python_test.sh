@@ -68,7 +68,7 @@ SaysThatTheLibraryIsMissing() {
 }
 
 # By pip, without a network, into an environment that has NumPy from the system.
-InstallsByPip() { # slow
+InstallsByPip() { # for a release
   "$python" -c 'import ensurepip, venv, wheel' 2>/dev/null || skip "python3-venv or python3-wheel is not installed"
   cp -r src/python "$work/package"
   "$python" -m venv --system-site-packages "$work/venv" || fail "no environment"

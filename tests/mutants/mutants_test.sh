@@ -55,7 +55,7 @@ run() {
   bash tests/mutants/run.sh "$@" >out 2>&1 || status=$?
 }
 
-TellsWhichSurvive() { # slow
+TellsWhichSurvive() { # for a release
   small_project
   {
     mutant 'wrong start' 'int sum = «0»;' 1

@@ -675,7 +675,7 @@ SameWithSanitizers() {
 
 # Twenty times the rows, which are mostly refusals and so soon done, take no more memory: certainly
 # less than a quarter of what they would take if they were kept, or their results.
-MemoryIsBounded() { # slow
+MemoryIsBounded() { # for a release
   memory() { # memory COPIES: megabytes at most
     write_scenes 1
     { cat scenes.csv; yes 0.6,0.7,100,1, | head -"$1"; } >more

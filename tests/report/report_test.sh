@@ -62,8 +62,9 @@ DrawingsAreDescribed() {
   drawn=$(xpath "count(//*[local-name()='svg'])")
   described=$(xpath "count(//*[local-name()='svg'][@role='img'][string-length(@aria-label) > 20])")
   [ "$drawn" -gt 0 ] && [ "$drawn" = "$described" ] || fail "$drawn drawings, $described described"
+  attributes '//@id' >"$work/ids"
   for script in figures/*.gp; do
-    [ -n "$(xpath "//@id[. = 'script:$(basename "$script" .gp)']")" ] || fail "$script is not listed"
+    grep -qxF "script:$(basename "$script" .gp)" "$work/ids" || fail "$script is not listed"
   done
 }
 
@@ -231,7 +232,8 @@ TellsItsTree() {
     fail "$tree is not the tree of $revision"
 }
 
-WovenTwiceAlike() { # the first time by make, which tells revision and tree
+# The first time by make, which tells revision and tree.
+WovenTwiceAlike() { # for a release
   local revision=$(told Revision) tree=$(told 'Source tree')
   weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"} ${tree:+-M "tree=$tree"} $(grep -q 'id="solver"' "$report" && echo -M live=yes --include-after-body=build/live.html)
   cmp "$work/again.html" "$report"
