@@ -4,7 +4,7 @@
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
--- (all on one line; `-M revision=` and, for Software Heritage's identifier, `-M tree=` may be left out). With `-M draft=paper/12-x.md` the page has this
+-- (all on one line; `-M revision=`, its `-M date=` and, for Software Heritage's identifier, `-M tree=` may be left out). With `-M draft=paper/12-x.md` the page has this
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
 -- figures/measured/*.csv, paper/style.css and build/math.woff2, the font of the formulas, and puts all
@@ -34,7 +34,9 @@
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     from speed.json if it rests on a time, or
 --                                                     study-values.json, or evaluations.json
---   *Checked by* `Suite.Name`, ...                    the tests of what stands above
+--   *Checked by* `Suite.Name`, ...                    the tests of what stands above; in a chapter whose
+--                                                     title is of class .tests they stand folded below it
+--   abstract-short: ...                               the abstract of the short version
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
 -- culprit, and nothing is written. A draft tells of the mistakes in its chapter and is written.
@@ -1107,6 +1109,53 @@ local function checked_by(paragraph)
   if names_tests(paragraph) then return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" })) end
 end
 
+local function listing(id, title, note, html)
+  return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
+    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
+    .. "</details>", escape(id), escape(title), note, table.concat(html, "\n")))
+end
+
+--- Where the tests in C++ begin: name -> { file, its text from there on }.
+local function found_tests()
+  local found = {}
+  local done, lines = pcall(pandoc.pipe, "grep", { "-rsE", "--include=*.cpp", "^TEST\\(\\w+, \\w+\\)", "tests" }, "")
+  for file, suite, name in (done and lines or ""):gmatch("([^\n:]+):TEST%((%w+), (%w+)%)") do
+    found[suite .. "." .. name] = { file = file, head = "TEST(" .. suite .. ", " .. name .. ")" }
+  end
+  return found
+end
+
+--- A test as it stands in its file, folded, with the command that runs it.
+local function test_box(name, test)
+  local text = read(test.file)
+  local from = text:find("\n" .. test.head, 1, true) or 0
+  local lines = {}
+  for line in (text:sub(from + 1):match("^(.-\n})\n") .. "\n"):gmatch("(.-)\n") do table.insert(lines, escape(line)) end
+  return listing("test:" .. name, name, escape(test.file .. " · ctest --test-dir build/release -R " .. name), lines)
+end
+
+--- In the chapters of class .tests each test stands folded below the paragraph that names it first.
+local function fold_tests(blocks)
+  local out, folds, tests = pandoc.List(), false, nil
+  for _, block in ipairs(blocks) do
+    local boxes = pandoc.List()
+    if block.t == "Header" and block.level == 2 then folds = block.classes:includes("tests") end
+    if folds and block.t == "Div" and block.classes:includes("checked") then
+      tests = tests or found_tests()
+      block = pandoc.walk_block(block, { Code = function(inline)
+        local test = tests[inline.text]
+        if not test then return nil end
+        if not test.told then boxes:insert(test_box(inline.text, test)) end
+        test.told = true
+        return pandoc.Link({ inline }, "#test:" .. inline.text)
+      end })
+    end
+    out:insert(block)
+    out:extend(boxes)
+  end
+  return out
+end
+
 -- 9. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
 
 local function heading(title, id)
@@ -1148,12 +1197,6 @@ local function chunk_index()
   end
   table.insert(out, "</ul>")
   return raw(table.concat(out, "\n"))
-end
-
-local function listing(id, title, note, html)
-  return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
-    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
-    .. "</details>", escape(id), escape(title), note, table.concat(html, "\n")))
 end
 
 --- The chunks with their lines in colours. References stay as they are, and the tangler takes the lines
@@ -1213,6 +1256,7 @@ local function colophon(meta)
   text = text .. "."
   local line = pandoc.Inlines({ pandoc.Str(text) })
   if meta.revision then line:insert(pandoc.Str(" Revision " .. utils.stringify(meta.revision) .. ".")) end
+  if meta.date then line:insert(pandoc.Str(" Date " .. utils.stringify(meta.date) .. ".")) end
   if meta.tree then line:extend({ pandoc.Str(" Source tree "), pandoc.Code(utils.stringify(meta.tree)), pandoc.Str(".") }) end
   return pandoc.Para(line)
 end
@@ -1295,6 +1339,24 @@ local function without_solver(div)
   if div.classes:includes("live") or div.classes:includes("screen") then return {} end
 end
 
+--- The sections that tell which files a chapter's pieces make, each as a division: they are not printed.
+local function divided(blocks)
+  local out, inside = pandoc.List(), nil
+  for _, block in ipairs(blocks) do
+    if block.t == "Header" then
+      inside = utils.stringify(block):match("Source files$") and pandoc.List() or nil
+      if inside then out:insert(pandoc.Div(inside, pandoc.Attr("", { "assembly" }))) end
+    end
+    if inside then
+      inside:insert(block)
+      out[#out].content = inside
+    else
+      out:insert(block)
+    end
+  end
+  return out
+end
+
 function Pandoc(document)
   for _, name in ipairs(PANDOC_STATE.input_files) do
     table.insert(chapters, { name = name, text = read(name) or "" })
@@ -1309,10 +1371,12 @@ function Pandoc(document)
     number_anew()
     numbered = pandoc.Pandoc(shortened_text(document.blocks)):walk(numbering).blocks
   end
+  document.meta.abstract = document.meta.paper and document.meta["abstract-short"] or document.meta.abstract
+  document.meta["abstract-short"] = nil
   document.blocks = open_equations(numbered)
   if not document.meta.paper then highlight_all(draft and keep_draft(document) or pieces) end
   if not draft then find_evidence(document.blocks) end
-  document.blocks = fill_equations(document.blocks)
+  document.blocks = fold_tests(fill_equations(document.blocks))
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then
     place_bibliography(document.blocks)
@@ -1322,6 +1386,6 @@ function Pandoc(document)
   stop_on_mistakes()
   document.meta.style = raw(style .. table.concat(card_rules, "\n") .. "\n" .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
-  document.blocks = document.blocks:walk({ Header = part_before })
+  document.blocks = divided(document.blocks:walk({ Header = part_before }))
   return document
 end
