@@ -23,7 +23,7 @@
 --                                                     "13, 18–20"; `status` is sign, misprint, open or fails;
 --                                                     chunk="Its title" and tests="A.B, A.C" are its evidence
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
---   : Caption {#tbl:x}                                below a table
+--   : Caption {#tbl:x}                                below a table; {#tbl:x .cards} as below
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption;
 --                                                     .cards: on a phone its rows are cards
@@ -97,6 +97,9 @@ local function inlines_of(markdown)
   inlines:remove(1)
   return inlines
 end
+
+--- A test's name, which a phone may break before a capital.
+local function breakable(name) return (escape(name):gsub("([%l.])(%u)", "%1<wbr />%2")) end
 
 local sextets = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
 
@@ -260,7 +263,7 @@ local function read_meanings()
   meanings = {}
   local table_text
   for _, chapter in ipairs(chapters) do
-    if chapter.text:find("{#tbl:nomenclature}", 1, true) then table_text = chapter.text end
+    if chapter.text:find("{#tbl:nomenclature", 1, true) then table_text = chapter.text end
   end
   local times = {}
   for symbols, meaning in (table_text or ""):gmatch("\n| ([^\n]-) | ([^\n]-) |") do
@@ -367,8 +370,11 @@ local function keep_together(inlines)
     if (inline.t == "Space" or inline.t == "SoftBreak") and inlines[place + 1] and is_unit(inlines[place + 1]) then
       inline = pandoc.Str("\u{a0}")
     end
-    if inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
-       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span title")
+    if inline.t == "RawInline" and (inline.text:match("^<math") or inline.text:match("^<span title"))
+       and before and before.t == "Str" and before.text:match("^%($") then
+      out[#out] = pandoc.RawInline("html", '<span class="together">(' .. inline.text .. "</span>")
+    elseif inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
+       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span ")
          or before.text:match("^<a class[^>]*><math")) then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
     else
@@ -722,14 +728,28 @@ end
 --- from 3.8.2 on as the table's identifier.
 local function written_table(content)
   local text, id = utils.blocks_to_inlines(content.caption.long), content.identifier
+  local cards = content.classes:includes("cards")
   if id == "" then
     local last = text[#text]
+    if last and last.t == "Str" and last.text == ".cards}" and text[#text - 2].t == "Str" then
+      cards = true
+      text:remove()
+      text:remove()
+      text[#text] = pandoc.Str(text[#text].text .. "}")
+      last = text[#text]
+    end
     id = last and last.t == "Str" and last.text:match("^{#(tbl:[%w:_.-]+)}$") or nil
     if id then text:remove() end
   end
   content.identifier = ""
   content.caption = { long = {} }
-  return framed_table(content, id, trimmed(text))
+  if not cards or not id then return framed_table(content, id, trimmed(text)) end
+  content = content:walk({ Code = function(inline)
+    local html = breakable(inline.text)
+    if inline.text:match("^%u%w+%.%u%w+$") then return pandoc.RawInline("html", "<code>" .. html .. "</code>") end
+  end })
+  name_columns(id, content.head.rows[1].cells:map(function(cell) return utils.stringify(cell.contents) end))
+  return framed_table(content, id, trimmed(text), "table cards")
 end
 
 --- The cells of a line of CSV; one in quotes may hold commas, and quotes written twice.
@@ -1056,7 +1076,9 @@ local function fill_equations(blocks)
     return tonumber(a.number) < tonumber(b.number)
   end)
   for _, item in ipairs(of_paper) do
-    local tests = (item.tests or pandoc.List()):map(function(name) return "<code>" .. escape(name) .. "</code>" end)
+    local tests = (item.tests or pandoc.List()):map(function(name)
+      return "<code>" .. breakable(name) .. "</code>"
+    end)
     table.insert(rows, string.format("<tr><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td class=\"checked\">%s</td></tr>",
       escape(item.numbers), referred(item.id, true), item.status,
       item.chunk and link(anchor(item.chunk), item.chunk.html_title) or "–",
@@ -1112,7 +1134,7 @@ end
 local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
     .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
-    .. "</details>", escape(id), escape(title), note, table.concat(html, "\n")))
+    .. "</details>", escape(id), title, note, table.concat(html, "\n")))
 end
 
 --- Where the tests in C++ begin: name -> { file, its text from there on }.
@@ -1129,9 +1151,9 @@ end
 local function test_box(name, test)
   local text = read(test.file)
   local from = text:find("\n" .. test.head, 1, true) or 0
-  local lines = {}
+  local lines = { "<i>// ctest --test-dir build/release -R " .. name .. "</i>" }
   for line in (text:sub(from + 1):match("^(.-\n})\n") .. "\n"):gmatch("(.-)\n") do table.insert(lines, escape(line)) end
-  return listing("test:" .. name, name, escape(test.file .. " · ctest --test-dir build/release -R " .. name), lines)
+  return listing("test:" .. name, breakable(name), escape(test.file), lines)
 end
 
 --- In the chapters of class .tests each test stands folded below the paragraph that names it first.
@@ -1221,7 +1243,7 @@ local function file_index()
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
         table.concat(from, ", "),
         link(anchor(chunk.pieces[1]), "told in " .. chunk.html))
-      out:insert(listing("file:" .. chunk.file, chunk.file, note, lines))
+      out:insert(listing("file:" .. chunk.file, escape(chunk.file), note, lines))
     end
   end
   return out
@@ -1241,7 +1263,7 @@ local function script_listings()
   script("style", "the style of all figures")
   highlight_all(scripts)
   return scripts:map(function(item)
-    return listing("script:" .. item.name, "figures/" .. item.name .. ".gp", item.note, item.html)
+    return listing("script:" .. item.name, escape("figures/" .. item.name .. ".gp"), item.note, item.html)
   end)
 end
 

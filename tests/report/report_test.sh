@@ -169,7 +169,7 @@ ReviewersCommandsPrintThis() {
 }
 
 NamedTestsExist() {
-  xpath "//*[@class='checked']//*[local-name()='code']/text()" | sort -u >"$work/named"
+  xpath "//*[@class='checked']//*[local-name()='code']" | sed 's/<[^>]*>/\n/; s/<wbr *\/>//g; s/<[^>]*>/\n/g' | grep . | sort -u >"$work/named"
   [ "$(wc -l <"$work/named")" -gt 10 ] || fail "hardly any test is named"
   ctest --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort -u >"$work/tests"
   expect_none "$(comm -23 "$work/named" "$work/tests")" "tests that do not exist"

@@ -357,9 +357,16 @@ RowsMayBeCards() {
 ::: {#tbl:t .cards csv="t.csv"}
 The caption.
 :::
+
+| symbol | value |
+|:--|--:|
+| a | 1 |
+
+: Written. {#tbl:w .cards}
 END
-  weave page.html one.md
-  expect_html '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
+  expect 'Table 2. Written.'
+  expect_html '<figure class="table cards" id="tbl:w">' '[id="tbl:w"] td:nth-child(2) { --column: "value"; }' \
+    '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
 }
 
 # The table of the paper's equations: by their numbers, with what became of them, their chunks and tests.
@@ -565,7 +572,7 @@ TestsAreFolded() {
 
 *Checked by* `A.Two`.
 END
-  expect 'Checked by A.One, A.None. A.One tests/a/test_a.cpp · ctest --test-dir build/release -R A.One TEST(A, One) { EXPECT_LT(1, 2); } Checked by A.One. 2 Second Checked by A.Two.'
+  expect 'Checked by A.One, A.None. A.One tests/a/test_a.cpp // ctest --test-dir build/release -R A.One TEST(A, One) { EXPECT_LT(1, 2); } Checked by A.One. 2 Second Checked by A.Two.'
   expect_html 'href="#test:A.One"><code>A.One</code></a>' 'id="test:A.One"' 'EXPECT_LT(1, 2);'
   [ "$(grep -c 'id="test:' page.html)" = 1 ] || fail "a test is folded twice, or in a chapter that has none"
 }
