@@ -1259,7 +1259,10 @@ local function script_listings()
     -- Pandoc knows no gnuplot; the colours of R fit.
     scripts:insert({ name = name, note = note, code = lines, lang = "r" })
   end
-  for _, item in ipairs(drawn) do script(item.name, referred(item.id)) end
+  for _, item in ipairs(drawn) do
+    script(item.name, string.format("%s · make build/figures/%s.svg · ctest --test-dir build/release -R ShowsItsData/%s$",
+      referred(item.id), item.name, (item.name:gsub("-", "_"))))
+  end
   script("style", "the style of all figures")
   highlight_all(scripts)
   return scripts:map(function(item)

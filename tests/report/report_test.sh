@@ -64,6 +64,7 @@ DrawingsAreDescribed() {
   [ "$drawn" -gt 0 ] && [ "$drawn" = "$described" ] || fail "$drawn drawings, $described described"
   for script in figures/*.gp; do
     [ -n "$(xpath "//@id[. = 'script:$(basename "$script" .gp)']")" ] || fail "$script is not listed"
+    [ "$(basename "$script")" = style.gp ] || grep -qF "make build/figures/$(basename "$script" .gp).svg" "$report" || fail "nothing tells how $script is drawn"
   done
 }
 
