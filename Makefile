@@ -315,7 +315,8 @@ build/math.woff2: paper/math-characters.txt | build
 	@mv build/math.tmp.woff2 $@
 	@rm build/math.tmp.otf build/math.log
 
-# The revision and, if nothing was changed since, Software Heritage's identifier of its tree.
+# The revision, its day and, if nothing was changed since, Software Heritage's identifier of its tree.
+date = $(shell git show -s --format=%cs HEAD 2>/dev/null)
 revision = $(shell git describe --always --dirty 2>/dev/null)
 tree = $(if $(filter-out %-dirty,$(revision)),$(shell git rev-parse 'HEAD^{tree}'))
 weave = pandoc $(chapters) -f markdown-implicit_figures -t html5 --wrap=none --mathml \
@@ -336,9 +337,9 @@ build/report.html: as := $(addprefix -M live=yes --include-after-body=,$(with_li
 build/report.html: $(with_live)
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(wildcard figures/measured/*.csv) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv tests/*/*.cpp) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
-	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
+	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M date=,$(date)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
 	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)

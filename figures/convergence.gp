@@ -24,9 +24,9 @@ panel(left, right, regime, title) = sprintf("set label 1 '%s' at graph 0, graph 
 set label 100 'correct digits' at screen 0.02, screen 0.965 left
 set multiplot
 set label 2 'coupled' at 28, 9.8 right
-set label 3 'product integration' at 990, 3 right
-set label 5 'graded panels' at 990, 7.4 right
-set label 4 'published scheme' at 900, 0.7 right
+set label 3 'product integration' at 700, 2.9 right
+set label 5 'graded panels' at 700, 7.2 right
+set label 4 'published scheme' at 700, 0.6 right
 eval panel(0.075, 0.515, 'steel', 'a. Pe = 4360, {/:Italic H} = 0.0175')
 unset label 2; unset label 3; unset label 4; unset label 5; unset label 100
 eval panel(0.56, 0.985, 'hot', 'b. Pe = 100, {/:Italic H} = 1')

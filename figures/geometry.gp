@@ -40,6 +40,31 @@ do for [k = 15:57:3] {
 set arrow from rim_x(60), rim_y(60) to rim_x(64), rim_y(64) arrowstyle 1
 set label '{/:Italic V} / {/:Italic R}' at (R + 0.4)*cos(0.65), axle + (R + 0.4)*sin(0.65)
 
+# The driving torque, which turns the cylinder against Q and the traction.
+turn_x(degrees) = 0.42*cos(degrees*pi/180)
+turn_y(degrees) = axle + 0.42*sin(degrees*pi/180)
+do for [k = 100:222:6] {
+  set arrow from turn_x(k), turn_y(k) to turn_x(k + 6), turn_y(k + 6) arrowstyle 4
+}
+set arrow from turn_x(228), turn_y(228) to turn_x(246), turn_y(246) arrowstyle 1
+set label '{/:Italic QR}' at -0.38, axle + 0.5 right
+
+# What counts as positive, on both sides of a piece of the surface.
+set label 'positive' at -3.3, 3.6 center
+set arrow from -4.15, 2.4 to -2.45, 2.4 arrowstyle 4
+set arrow from -3.85, 2.4 to -3.85, 3.1 arrowstyle 1
+set label '{/:Italic V}_2' at -3.72, 2.95
+set arrow from -3.85, 2.4 to -3.85, 1.7 arrowstyle 1
+set label '{/:Italic V}_1' at -3.72, 1.85
+set arrow from -3.45, 2.58 to -2.95, 2.58 arrowstyle 1
+set label '{/:Italic v}' at -2.87, 2.7
+set arrow from -3.45, 2.22 to -2.95, 2.22 arrowstyle 1
+set label '{/:Italic q}, {/:Italic U}_1' at -2.87, 2.1
+
+# The wheel goes against the material.
+set arrow from 4.1, 3.6 to 3.0, 3.6 arrowstyle 2
+set label 'the wheel travels' at 4.3, 3.95 right
+
 # The axes, the zones and the heat.
 set arrow from 1.05, 0 to 2.3, 0 arrowstyle 1
 set label '{/:Italic x}' at 2.2, 0.25

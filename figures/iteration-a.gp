@@ -57,6 +57,10 @@ do for [k = 0:2] {
   set arrow from graph 0.018 + 0.013*k, graph 0.523 rto graph 0.013, -0.026 nohead linewidth 0.5
 }
 set label 'inadmissible' at graph 0.075, graph 0.51 font ',15'
+# No contact lies above a/R = 0.1, which is f Pe H = 0.06 Pe.
+edge = log10(0.06)
+set arrow from -0.1 - edge, -0.1 to 5.1, 5.1 + edge nohead front linecolor rgb '#ffffff' linewidth 0.5
+set label 'contacts: {/:Italic a}/{/:Italic R} ≤ 0.1' at 5, 1.6 right front textcolor rgb '#ffffff' font ',15'
 set label 'ρ = 1' at 2.6, 2.15 front textcolor rgb '#ffffff' font ',15'
 plot $grid using ($3 > 0 ? $1 : NaN):2:(0.1):(0.1):3 with boxxyerrorbars linecolor palette \
        fillstyle solid noborder title 'method', \

@@ -11,6 +11,9 @@ set xtics ('0.01' 1e-2, '1' 1, '100' 100, '10^4' 1e4, '10^6' 1e6) offset 0,0.2
 set ytics ('100' 100, '1' 1, '10^{−2}' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6)
 set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 width 1
 set label 'paper' at 4360, 0.0175 point pointtype 2 pointsize 0.8 offset 0.6,-0.7
+# No contact has more than H = 0.1, where a/R is 0.1.
+set object rectangle from 1e-2, 0.1 to 1e6, 100 behind fillcolor rgb 'grey50' fillstyle transparent solid 0.14 noborder
+set label 'no contact: {/:Italic a}/{/:Italic R} > 0.1' at 5e5, 20 right
 tolerance(k, i) = sprintf("data using 'peclet':'first_%d' with lines linetype %d dashtype solid title '10^{−%d}', " \
   ."data using 'peclet':'closed_%d' with lines linetype %d dashtype (8,4) notitle", k, i, k, k, i)
 eval "plot ".tolerance(2, 1).", ".tolerance(3, 2).", ".tolerance(6, 3)

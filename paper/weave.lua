@@ -4,7 +4,7 @@
 --     --lua-filter paper/weave.lua --citeproc --bibliography paper/references.bib
 --     --template paper/template.html -M revision=REVISION -o build/report.html
 --
--- (all on one line; `-M revision=` and, for Software Heritage's identifier, `-M tree=` may be left out). With `-M draft=paper/12-x.md` the page has this
+-- (all on one line; `-M revision=`, its `-M date=` and, for Software Heritage's identifier, `-M tree=` may be left out). With `-M draft=paper/12-x.md` the page has this
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
 -- figures/measured/*.csv, paper/style.css and build/math.woff2, the font of the formulas, and puts all
@@ -23,7 +23,7 @@
 --                                                     "13, 18–20"; `status` is sign, misprint, open or fails;
 --                                                     chunk="Its title" and tests="A.B, A.C" are its evidence
 --   ![Caption](figures/x.svg){#fig:x fig-alt="..."}   a figure, with figures/x.gp, build/data/x.csv
---   : Caption {#tbl:x}                                below a table
+--   : Caption {#tbl:x}                                below a table; {#tbl:x .cards} as below
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption;
 --                                                     .cards: on a phone its rows are cards
@@ -34,7 +34,9 @@
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     from speed.json if it rests on a time, or
 --                                                     study-values.json, or evaluations.json
---   *Checked by* `Suite.Name`, ...                    the tests of what stands above
+--   *Checked by* `Suite.Name`, ...                    the tests of what stands above; in a chapter whose
+--                                                     title is of class .tests they stand folded below it
+--   abstract-short: ...                               the abstract of the short version
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
 -- culprit, and nothing is written. A draft tells of the mistakes in its chapter and is written.
@@ -95,6 +97,9 @@ local function inlines_of(markdown)
   inlines:remove(1)
   return inlines
 end
+
+--- A test's name, which a phone may break before a capital.
+local function breakable(name) return (escape(name):gsub("([%l.])(%u)", "%1<wbr />%2")) end
 
 local sextets = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
 
@@ -258,7 +263,7 @@ local function read_meanings()
   meanings = {}
   local table_text
   for _, chapter in ipairs(chapters) do
-    if chapter.text:find("{#tbl:nomenclature}", 1, true) then table_text = chapter.text end
+    if chapter.text:find("{#tbl:nomenclature", 1, true) then table_text = chapter.text end
   end
   local times = {}
   for symbols, meaning in (table_text or ""):gmatch("\n| ([^\n]-) | ([^\n]-) |") do
@@ -365,8 +370,11 @@ local function keep_together(inlines)
     if (inline.t == "Space" or inline.t == "SoftBreak") and inlines[place + 1] and is_unit(inlines[place + 1]) then
       inline = pandoc.Str("\u{a0}")
     end
-    if inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
-       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span title")
+    if inline.t == "RawInline" and (inline.text:match("^<math") or inline.text:match("^<span title"))
+       and before and before.t == "Str" and before.text:match("^%($") then
+      out[#out] = pandoc.RawInline("html", '<span class="together">(' .. inline.text .. "</span>")
+    elseif inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
+       and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span ")
          or before.text:match("^<a class[^>]*><math")) then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
     else
@@ -720,14 +728,28 @@ end
 --- from 3.8.2 on as the table's identifier.
 local function written_table(content)
   local text, id = utils.blocks_to_inlines(content.caption.long), content.identifier
+  local cards = content.classes:includes("cards")
   if id == "" then
     local last = text[#text]
+    if last and last.t == "Str" and last.text == ".cards}" and text[#text - 2].t == "Str" then
+      cards = true
+      text:remove()
+      text:remove()
+      text[#text] = pandoc.Str(text[#text].text .. "}")
+      last = text[#text]
+    end
     id = last and last.t == "Str" and last.text:match("^{#(tbl:[%w:_.-]+)}$") or nil
     if id then text:remove() end
   end
   content.identifier = ""
   content.caption = { long = {} }
-  return framed_table(content, id, trimmed(text))
+  if not cards or not id then return framed_table(content, id, trimmed(text)) end
+  content = content:walk({ Code = function(inline)
+    local html = breakable(inline.text)
+    if inline.text:match("^%u%w+%.%u%w+$") then return pandoc.RawInline("html", "<code>" .. html .. "</code>") end
+  end })
+  name_columns(id, content.head.rows[1].cells:map(function(cell) return utils.stringify(cell.contents) end))
+  return framed_table(content, id, trimmed(text), "table cards")
 end
 
 --- The cells of a line of CSV; one in quotes may hold commas, and quotes written twice.
@@ -1054,7 +1076,9 @@ local function fill_equations(blocks)
     return tonumber(a.number) < tonumber(b.number)
   end)
   for _, item in ipairs(of_paper) do
-    local tests = (item.tests or pandoc.List()):map(function(name) return "<code>" .. escape(name) .. "</code>" end)
+    local tests = (item.tests or pandoc.List()):map(function(name)
+      return "<code>" .. breakable(name) .. "</code>"
+    end)
     table.insert(rows, string.format("<tr><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td class=\"checked\">%s</td></tr>",
       escape(item.numbers), referred(item.id, true), item.status,
       item.chunk and link(anchor(item.chunk), item.chunk.html_title) or "–",
@@ -1107,6 +1131,53 @@ local function checked_by(paragraph)
   if names_tests(paragraph) then return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" })) end
 end
 
+local function listing(id, title, note, html)
+  return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
+    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
+    .. "</details>", escape(id), title, note, table.concat(html, "\n")))
+end
+
+--- Where the tests in C++ begin: name -> { file, its text from there on }.
+local function found_tests()
+  local found = {}
+  local done, lines = pcall(pandoc.pipe, "grep", { "-rsE", "--include=*.cpp", "^TEST\\(\\w+, \\w+\\)", "tests" }, "")
+  for file, suite, name in (done and lines or ""):gmatch("([^\n:]+):TEST%((%w+), (%w+)%)") do
+    found[suite .. "." .. name] = { file = file, head = "TEST(" .. suite .. ", " .. name .. ")" }
+  end
+  return found
+end
+
+--- A test as it stands in its file, folded, with the command that runs it.
+local function test_box(name, test)
+  local text = read(test.file)
+  local from = text:find("\n" .. test.head, 1, true) or 0
+  local lines = { "<i>// ctest --test-dir build/release -R " .. name .. "</i>" }
+  for line in (text:sub(from + 1):match("^(.-\n})\n") .. "\n"):gmatch("(.-)\n") do table.insert(lines, escape(line)) end
+  return listing("test:" .. name, breakable(name), escape(test.file), lines)
+end
+
+--- In the chapters of class .tests each test stands folded below the paragraph that names it first.
+local function fold_tests(blocks)
+  local out, folds, tests = pandoc.List(), false, nil
+  for _, block in ipairs(blocks) do
+    local boxes = pandoc.List()
+    if block.t == "Header" and block.level == 2 then folds = block.classes:includes("tests") end
+    if folds and block.t == "Div" and block.classes:includes("checked") then
+      tests = tests or found_tests()
+      block = pandoc.walk_block(block, { Code = function(inline)
+        local test = tests[inline.text]
+        if not test then return nil end
+        if not test.told then boxes:insert(test_box(inline.text, test)) end
+        test.told = true
+        return pandoc.Link({ inline }, "#test:" .. inline.text)
+      end })
+    end
+    out:insert(block)
+    out:extend(boxes)
+  end
+  return out
+end
+
 -- 9. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
 
 local function heading(title, id)
@@ -1150,12 +1221,6 @@ local function chunk_index()
   return raw(table.concat(out, "\n"))
 end
 
-local function listing(id, title, note, html)
-  return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
-    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
-    .. "</details>", escape(id), escape(title), note, table.concat(html, "\n")))
-end
-
 --- The chunks with their lines in colours. References stay as they are, and the tangler takes the lines
 --- as it takes the code.
 local function coloured_chunks()
@@ -1178,7 +1243,7 @@ local function file_index()
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
         table.concat(from, ", "),
         link(anchor(chunk.pieces[1]), "told in " .. chunk.html))
-      out:insert(listing("file:" .. chunk.file, chunk.file, note, lines))
+      out:insert(listing("file:" .. chunk.file, escape(chunk.file), note, lines))
     end
   end
   return out
@@ -1194,11 +1259,14 @@ local function script_listings()
     -- Pandoc knows no gnuplot; the colours of R fit.
     scripts:insert({ name = name, note = note, code = lines, lang = "r" })
   end
-  for _, item in ipairs(drawn) do script(item.name, referred(item.id)) end
+  for _, item in ipairs(drawn) do
+    script(item.name, string.format("%s · make build/figures/%s.svg · ctest --test-dir build/release -R ShowsItsData/%s$",
+      referred(item.id), item.name, (item.name:gsub("-", "_"))))
+  end
   script("style", "the style of all figures")
   highlight_all(scripts)
   return scripts:map(function(item)
-    return listing("script:" .. item.name, "figures/" .. item.name .. ".gp", item.note, item.html)
+    return listing("script:" .. item.name, escape("figures/" .. item.name .. ".gp"), item.note, item.html)
   end)
 end
 
@@ -1213,6 +1281,7 @@ local function colophon(meta)
   text = text .. "."
   local line = pandoc.Inlines({ pandoc.Str(text) })
   if meta.revision then line:insert(pandoc.Str(" Revision " .. utils.stringify(meta.revision) .. ".")) end
+  if meta.date then line:insert(pandoc.Str(" Date " .. utils.stringify(meta.date) .. ".")) end
   if meta.tree then line:extend({ pandoc.Str(" Source tree "), pandoc.Code(utils.stringify(meta.tree)), pandoc.Str(".") }) end
   return pandoc.Para(line)
 end
@@ -1295,6 +1364,24 @@ local function without_solver(div)
   if div.classes:includes("live") or div.classes:includes("screen") then return {} end
 end
 
+--- The sections that tell which files a chapter's pieces make, each as a division: they are not printed.
+local function divided(blocks)
+  local out, inside = pandoc.List(), nil
+  for _, block in ipairs(blocks) do
+    if block.t == "Header" then
+      inside = utils.stringify(block):match("Source files$") and pandoc.List() or nil
+      if inside then out:insert(pandoc.Div(inside, pandoc.Attr("", { "assembly" }))) end
+    end
+    if inside then
+      inside:insert(block)
+      out[#out].content = inside
+    else
+      out:insert(block)
+    end
+  end
+  return out
+end
+
 function Pandoc(document)
   for _, name in ipairs(PANDOC_STATE.input_files) do
     table.insert(chapters, { name = name, text = read(name) or "" })
@@ -1309,10 +1396,12 @@ function Pandoc(document)
     number_anew()
     numbered = pandoc.Pandoc(shortened_text(document.blocks)):walk(numbering).blocks
   end
+  document.meta.abstract = document.meta.paper and document.meta["abstract-short"] or document.meta.abstract
+  document.meta["abstract-short"] = nil
   document.blocks = open_equations(numbered)
   if not document.meta.paper then highlight_all(draft and keep_draft(document) or pieces) end
   if not draft then find_evidence(document.blocks) end
-  document.blocks = fill_equations(document.blocks)
+  document.blocks = fold_tests(fill_equations(document.blocks))
   document = document:walk({ CodeBlock = code_block }):walk(prose)
   if draft then
     place_bibliography(document.blocks)
@@ -1322,6 +1411,6 @@ function Pandoc(document)
   stop_on_mistakes()
   document.meta.style = raw(style .. table.concat(card_rules, "\n") .. "\n" .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
-  document.blocks = document.blocks:walk({ Header = part_before })
+  document.blocks = divided(document.blocks:walk({ Header = part_before }))
   return document
 end

@@ -65,6 +65,7 @@ DrawingsAreDescribed() {
   attributes '//@id' >"$work/ids"
   for script in figures/*.gp; do
     grep -qxF "script:$(basename "$script" .gp)" "$work/ids" || fail "$script is not listed"
+    [ "$(basename "$script")" = style.gp ] || grep -qF "make build/figures/$(basename "$script" .gp).svg" "$report" || fail "nothing tells how $script is drawn"
   done
 }
 
@@ -170,7 +171,7 @@ ReviewersCommandsPrintThis() {
 }
 
 NamedTestsExist() {
-  xpath "//*[@class='checked']//*[local-name()='code']/text()" | sort -u >"$work/named"
+  xpath "//*[@class='checked']//*[local-name()='code']" | sed 's/<[^>]*>/\n/; s/<wbr *\/>//g; s/<[^>]*>/\n/g' | grep . | sort -u >"$work/named"
   [ "$(wc -l <"$work/named")" -gt 10 ] || fail "hardly any test is named"
   ctest --test-dir "$build" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort -u >"$work/tests"
   expect_none "$(comm -23 "$work/named" "$work/tests")" "tests that do not exist"
@@ -179,8 +180,8 @@ NamedTestsExist() {
 # words FILE: the text of a page, without the sources of formulas.
 words() { sed 's/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g' "$1"; }
 
-# named: the values that the chapters name, KEY once for each time.
-named() { cat paper/*.md | grep -oE '\\value\{[a-z0-9_]+\}|`[a-z0-9_]+`\{\.value\}' | grep -oE '[a-z0-9_]{2,}' | grep -vx value; }
+# named: the values that the chapters name for the report, KEY once for each time.
+named() { sed '/^abstract-short:/,/^[^ ]/{/^abstract-short:/d;/^ /d}; /^::: {\.paper-only/,/^:::$/d' paper/*.md | grep -oE '\\value\{[a-z0-9_]+\}|`[a-z0-9_]+`\{\.value\}' | grep -oE '[a-z0-9_]{2,}' | grep -vx value; }
 
 # Each value in turn is given a number that is nowhere else, with its sign and with what stands about
 # it kept. The page must show that number, to the last digit, as often as the chapters name the value.
@@ -223,6 +224,28 @@ NumbersLeadToTheirChunks() {
 # told WORD: what the colophon tells behind it.
 told() { sed -n 's|<[^>]*>||g; s|.*Woven by Pandoc.* '"$1"' \([^ ]*\)\..*|\1|p' "$report"; }
 
+# The first screen tells day and revision as the colophon does, and leads to all else there is.
+FrontLeadsOn() {
+  local front revision=$(told Revision) date=$(told Date) target
+  front=$(sed -n '/<header id="top">/,/<article/p' "$report")
+  [ -z "$revision" ] || [[ $front == *" · $date · revision $revision<"* && $date =~ ^20..-..-..$ ]] || fail "neither date nor revision: $front"
+  for target in paper.html report.pdf paper.pdf '#tbl:claims' '#tbl:reference-values' '#index-of-files'; do
+    [[ $front == *"href=\"$target\""* ]] || fail "no link to $target"
+  done
+  [ "$(sed 's/<[^>]*>//g' <<<"${front#*aria-label=\"Abstract\"}" | head -3 | wc -w)" -lt 110 ] || fail "the abstract is long"
+}
+
+# The tests on the claims are in the page, each with its command; each name leads to its test.
+TestsOfTheClaimsAreFolded() {
+  local name
+  [ "$(xpath "count(//*[starts-with(@id, 'test:')])")" -gt 25 ] || fail "hardly any test is folded"
+  for name in $(xpath "//*[starts-with(@id, 'test:')]/@id" | sed 's/.*"test:\(.*\)"/\1/'); do
+    grep -qF "ctest --test-dir build/release -R $name<" "$report" || fail "no command runs $name"
+    grep -qF "href=\"#test:$name\"" "$report" || fail "nothing leads to $name"
+    grep -qF "TEST(${name/./, })" "$report" || fail "$name is not there"
+  done
+}
+
 # The identifier is git's hash of the tree of the revision, where this is a checkout that has it.
 TellsItsTree() {
   local revision=$(told Revision) tree=$(told 'Source tree')
@@ -232,10 +255,10 @@ TellsItsTree() {
     fail "$tree is not the tree of $revision"
 }
 
-# The first time by make, which tells revision and tree.
+# The first time by make, which tells revision, date and tree.
 WovenTwiceAlike() { # for a release
-  local revision=$(told Revision) tree=$(told 'Source tree')
-  weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"} ${tree:+-M "tree=$tree"} $(grep -q 'id="solver"' "$report" && echo -M live=yes --include-after-body=build/live.html)
+  local revision=$(told Revision) date=$(told Date) tree=$(told 'Source tree')
+  weave "$work/again.html" paper/*.md ${revision:+-M "revision=$revision"} ${date:+-M "date=$date"} ${tree:+-M "tree=$tree"} $(grep -q 'id="solver"' "$report" && echo -M live=yes --include-after-body=build/live.html)
   cmp "$work/again.html" "$report"
 }
 

@@ -357,9 +357,16 @@ RowsMayBeCards() {
 ::: {#tbl:t .cards csv="t.csv"}
 The caption.
 :::
+
+| symbol | value |
+|:--|--:|
+| a | 1 |
+
+: Written. {#tbl:w .cards}
 END
-  weave page.html one.md
-  expect_html '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
+  expect 'Table 2. Written.'
+  expect_html '<figure class="table cards" id="tbl:w">' '[id="tbl:w"] td:nth-child(2) { --column: "value"; }' \
+    '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
 }
 
 # The table of the paper's equations: by their numbers, with what became of them, their chunks and tests.
@@ -551,6 +558,25 @@ END
 
 # A chunk is folded to its title, unless it is the first behind a numbered equation of its section or
 # says that it is open.
+TestsAreFolded() {
+  mkdir -p tests/a
+  printf 'int x;\n\nTEST(A, One) {\n  EXPECT_LT(1, 2);\n}\n\nTEST(A, Two) {\n}\n' >tests/a/test_a.cpp
+  chapter <<'END'
+# First {#sec:first .tests}
+
+*Checked by* `A.One`, `A.None`.
+
+*Checked by* `A.One`.
+
+# Second {#sec:second}
+
+*Checked by* `A.Two`.
+END
+  expect 'Checked by A.One, A.None. A.One tests/a/test_a.cpp // ctest --test-dir build/release -R A.One TEST(A, One) { EXPECT_LT(1, 2); } Checked by A.One. 2 Second Checked by A.Two.'
+  expect_html 'href="#test:A.One"><code>A.One</code></a>' 'id="test:A.One"' 'EXPECT_LT(1, 2);'
+  [ "$(grep -c 'id="test:' page.html)" = 1 ] || fail "a test is folded twice, or in a chapter that has none"
+}
+
 ChunksAreFolded() {
   chapter <<'END'
 # One {#sec:one}
@@ -683,9 +709,11 @@ Left out as well.
 In both.
 :::
 END
+  sed -i 's/^title: Title/title: Title\nabstract: All of it\nabstract-short: Part of it/' one.md
   expect '1 First Left out. a (1)' 'Part II. Two 2 Second 2.1 Inner See Eq. (1), Eq. (2), Eqs. (1) and (2), Section 1 and ⟨A part 1⟩.' \
     'Report only.' 'In both.'
-  if grep -q 'Paper only' page.html; then fail "what is for the short version is in the report"; fi
+  if grep -q 'Paper only\|Part of it' page.html; then fail "what is for the short version is in the report"; fi
+  expect_html 'All of it'
   weave page.html one.md -M paper=yes
   xmllint --noout page.html
   local text
@@ -693,7 +721,8 @@ END
   text=${text%% Colophon*}
   [ "$text" = '1 Second 1.1 Inner See Eq. (1) of the report, Eq. (1), Eq. (1) of the report and Eq. (1), Section 1 of the report and ⟨A part 1⟩. b (1) Paper only. 1.2 Other In both.' ] ||
     fail "the page: $text"
-  expect_html '<div class="brief">' 'href="report.html#eq:a"' 'href="#eq:b"' 'href="report.html#lst:part"'
+  if grep -q 'All of it' page.html; then fail "the abstract of the report is in the short version"; fi
+  expect_html 'Part of it' '<div class="brief">' 'href="report.html#eq:a"' 'href="#eq:b"' 'href="report.html#lst:part"'
 }
 
 WovenTwiceAlike() {
