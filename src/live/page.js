@@ -193,6 +193,7 @@ function live_page(engine) {
       knob.addEventListener("pointermove", place);
       knob.addEventListener("lostpointercapture", () => knob.removeEventListener("pointermove", place), { once: true });
     });
+    knob.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     knob.addEventListener("keydown", (event) => {
       const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 5, PageDown: -5,
         Home: -Infinity, End: Infinity }[event.key];

@@ -233,7 +233,7 @@ def Touch():
         def swipe():
             finger("touchStart", (x, y))
             for step in range(1, 9):
-                finger("touchMove", (x + 5 * step, y - 3 * step))
+                finger("touchMove", (x + 5 * step, y + 9 * step))  # more down than along
             finger("touchEnd")
 
         assert "--stick-slip-border" in changed(browser, swipe)
@@ -272,6 +272,7 @@ def SlidersAndMarks():
                                             f"i.value = {to}; i.dispatchEvent(new Event('input')); }})()")
         text = changed(browser, lambda: move("size", 120))
         size, heating = slider("size"), float(re.search(r"--heating (\S+)", text).group(1))
+        assert abs(size / (2e-4 * 25000 ** 0.6) - 1) < 5e-3, size  # from 2e-4 to 5
         assert abs(heating / size / (wheel[1] / wheel[5]) - 1) < 5e-3, (heating, size, wheel)  # three digits are shown
         text = changed(browser, lambda: move("heating", 60))
         assert abs(slider("heating") / slider("size") / (wheel[1] / wheel[5]) - 1) < 1e-2, text
