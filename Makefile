@@ -1,7 +1,7 @@
 # thermoroll: from the chapters in paper/ to the program, the data, the figures and the report.
 # `make help` lists the goals. Everything generated is in build/, but for src/, which is tangled and
 # committed, figures/golden/, which only `make golden` writes, and figures/measured/, that of `make study`, `make soak`,
-# `make sweep-bench` and `make certify`.
+# `make sweep-bench`, `make live-bench` and `make certify`.
 
 MAKEFLAGS += --no-builtin-rules
 .DELETE_ON_ERROR:
@@ -38,6 +38,7 @@ packages_for_asan := $(build_packages) libgtest-dev
 packages_for_tsan := $(build_packages)
 packages_for_valgrind := $(build_packages) valgrind
 packages_for_sweep-bench := $(build_packages)
+packages_for_live-bench := $(report_packages) $(live_packages) python3 chromium
 packages_for_soak := $(build_packages)
 packages_for_certify := $(build_packages) $(certify_packages)
 packages_for_mutants := $(test_packages)
@@ -187,7 +188,7 @@ compile := $(apart) cmake --build
 ctest := $(apart) ctest --output-on-failure
 configure = @$(apart) cmake --preset $1 >build/$1.log || { cat build/$1.log; exit 1; }
 
-.PHONY: all where data figures report live draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench certify install clean help
+.PHONY: all where data figures report live draft reproduce verify check test test-release bench golden pdf coverage debug asan tsan valgrind soak mutants fuzz study sweep-bench live-bench certify install clean help
 
 ## all: build the program build/thermoroll (the default)
 all: build/thermoroll
@@ -472,6 +473,10 @@ SWEEP_ROWS ?= 10000 100000 1000000
 sweep-bench: build/thermoroll
 	@mkdir -p figures/measured
 	@bash tests/sweep-bench.sh build/thermoroll figures/measured/sweep.csv $(SWEEP_ROWS)
+
+## live-bench: how soon a slider of the solver in the page has its picture, for appendix J
+live-bench: build/report.html
+	@PYTHONDONTWRITEBYTECODE=1 python3 tests/live/live_bench.py $< figures/measured/live.csv
 
 ## certify: enclose results by ball arithmetic, for the appendix on certified results (minutes; needs Arb)
 certify: build/thermoroll

@@ -425,6 +425,21 @@ local function part_before(heading)
   return { pandoc.Div({ pandoc.Plain(part) }, pandoc.Attr("", { "part-title" })), heading }
 end
 
+--- A chapter is a section, so that the browser can lay it out and draw it without looking at the rest.
+--- (In raw HTML: a Div of Pandoc's would take the heading's id from it.)
+local function in_sections(blocks)
+  local out, first = pandoc.List(), true
+  for _, block in ipairs(blocks) do
+    if block.t == "Header" and block.level == 2 then
+      out:insert(raw((first and "" or "</section>") .. '<section class="chapter">'))
+      first = false
+    end
+    out:insert(block)
+  end
+  if not first then out:insert(raw("</section>")) end
+  return out
+end
+
 -- The short version: what the chapters mark as .paper, without chunks and their tests, numbered anew ----
 
 local function is_chunk(block)
@@ -1411,6 +1426,6 @@ function Pandoc(document)
   stop_on_mistakes()
   document.meta.style = raw(style .. table.concat(card_rules, "\n") .. "\n" .. formula_font())
   document.meta.contents = pandoc.MetaBlocks({ contents(document.blocks) })
-  document.blocks = divided(document.blocks:walk({ Header = part_before }))
-  return document
+  document.blocks = in_sections(divided(document.blocks))
+  return document:walk({ Header = part_before })
 end

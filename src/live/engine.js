@@ -71,6 +71,16 @@ function engine(post) {
     return all;
   }
 
+  function top_of(question, rows) {
+    const half = Math.max(0, ...rows.filter((_, k) => k % 3 === 1)) / 2;
+    try {
+      const found = kinds.solve({ ...question, quantity: 2, value: half, tolerance: 1e-4, method: 0 });
+      return Number.isFinite(found.largest) ? [found.its_creep, found.largest] : null;
+    } catch {
+      return null; // the curve is shown without it
+    }
+  }
+
   const kinds = {
     solve: (question) => with_solver(question, () => {
       const begin = performance.now();
@@ -83,7 +93,10 @@ function engine(post) {
       return with_solver(question, () => ({ ...found, contact: curve("thermoroll_contact"),
         temperature: curve("thermoroll_temperature") }));
     },
-    creep: (question) => with_solver(question, () => curve("thermoroll_creep_curve")),
+    creep: (question) => {
+      const rows = with_solver(question, () => curve("thermoroll_creep_curve"));
+      return { rows, top: question.law < 0 ? null : top_of(question, rows) };
+    },
     times,
     wheel: (question) => with_solver(question, () => curve("thermoroll_wheel")),
   };

@@ -79,16 +79,8 @@ Scene scene_of(const Question& q) {
 }
 
 Choice solution_of(const Question& q) {
-  const Scene scene = scene_of(q);
   const Approach by{Formulation::corrected, q.tolerance, static_cast<Method>(q.method)};
-  const Prescribed given{static_cast<Quantity>(q.quantity), q.value};
-  if (by.method == Method::closed_form)
-    return {Model::closed_form, "asked for", closed_form(scene, by, given)};
-  if (by.method == Method::first_order)
-    return {Model::first_order, "asked for", first_order(scene, by, given)};
-  if (by.method == Method::coupled)
-    return {Model::coupled, "asked for", solve_coupled(scene, by, given)};
-  return least_model(scene, by, given);
+  return solve_by_method(scene_of(q), by, {static_cast<Quantity>(q.quantity), q.value});
 }
 
 }  // namespace
@@ -177,7 +169,9 @@ int thermoroll_wheel() {
   const Units units = units_of(wheel, 1);
   int n = 0;
   const double hertz = 2 / pi * units.traction;
-  for (const double x : {scene.peclet, scene.heating, units.temperature, wheel.half_width, hertz})
+  const double size = 2 * (1 - wheel.poisson) * hertz / wheel.shear_modulus;
+  for (const double x :
+       {scene.peclet, scene.heating, units.temperature, wheel.half_width, hertz, size})
     curve[n++] = x;
   return n;
 }

@@ -193,8 +193,10 @@ function live_page(engine) {
       knob.addEventListener("pointermove", place);
       knob.addEventListener("lostpointercapture", () => knob.removeEventListener("pointermove", place), { once: true });
     });
+    knob.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     knob.addEventListener("keydown", (event) => {
-      const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 5, PageDown: -5,
+        Home: -Infinity, End: Infinity }[event.key];
       if (!by || !knob.hasAttribute("aria-valuenow")) return; // nothing is drawn yet
       event.preventDefault();
       stepped((by / 50) * (event.shiftKey ? 0.2 : 1));
@@ -268,11 +270,11 @@ function live_page(engine) {
 
   views.creep = (instance) => {
     const view = plot("Creep curve", "dotted: Carter");
-    let to = scales([0, 1], [0, 1]), rows = [];
+    let to = scales([0, 1], [0, 1]), rows = [], peak = null;
     const end = () => (rows.length ? rows[rows.length - 1][0] : to.x1);
     const give = (xi) => instance.change({ given: "creep", value: Math.max(1e-4, Math.min(xi, end())) });
     const put = handle(view, "creep", (px) => give(to.back(px)), (by) => give(instance.now(creep) + by * to.x1));
-    view.curve = (list) => { rows = rows_of(list, 3); };
+    view.curve = ({ rows: list, top }) => { rows = rows_of(list, 3); peak = top; };
     view.draw = ({ value }, x) => {
       const last = rows.length ? rows[rows.length - 1][0] : value[creep], f = x.friction;
       const most = Math.max(f, ...rows.map((row) => row[1])) * 1.15;
@@ -280,7 +282,8 @@ function live_page(engine) {
       const cold = carter_of(x).curve, early = Array.from({ length: 41 }, (_, i) => cold(i / 40));
       view.picture.innerHTML = axes(to, marks(0, to.x1), marks(0, most), "creep ξ*", "traction Q*") +
         path(to, [...early, [to.x1, f]].filter(([xi]) => xi <= to.x1), "cold") +
-        path(to, [[0, 0], ...rows.map((row) => row.slice(0, 2))], "line-c");
+        path(to, [[0, 0], ...rows.map((row) => row.slice(0, 2))], "line-c") +
+        (peak ? dot(to, ...peak, "peak") + say(Math.min(to.x(peak[0]) + 6, 232), to.y(peak[1]) - 9, `at most ${peak[1].toPrecision(4)}`, "peak") : "");
       put(to.x(value[creep]), to.y(value[traction]), [0, value[creep].toFixed(4), to.x1.toFixed(4)], `creep ${value[creep].toFixed(4)}, traction ${value[traction].toFixed(4)}`);
     };
     return view;
@@ -310,6 +313,7 @@ function live_page(engine) {
     peclet: ["Péclet number Pe", 1, 1e6, "log"],
     speed: ["speed, m/s", 0.5, 100],
     heating: ["heating H", 1e-4, 2, "log"],
+    size: ["a/R, of steel", 2e-4, 5, "log"],
     law_temperature: ["T₀* of the law", 1e-3, 1, "log"],
     digits: ["tolerance", 2, 10],
   };
@@ -317,11 +321,11 @@ function live_page(engine) {
   function slider(key, changed) {
     const [name, low, high, log] = sliders[key], steps = key === "digits" ? 8 : 200;
     const label = element("label", { class: `live-slider ${key}` },
-      `<span>${name}</span><input type="range" min="0" max="${steps}" /><output></output>`);
+      `<span>${name}</span><input type="range" min="0" max="${steps}" aria-label="${name}" /><output aria-live="off"></output>`);
     const [, input, output] = label.children;
     const value = () => {
       const t = input.value / steps;
-      if (key === "heating" && t === 0) return 0;
+      if (t === 0 && (key === "heating" || key === "size")) return 0;
       return log ? low * (high / low) ** t : low + (high - low) * t;
     };
     input.addEventListener("input", () => changed(Number(value().toPrecision(4))));
@@ -389,19 +393,21 @@ function live_page(engine) {
       .replaceAll("e-", "e−");
   }
 
-  let wheel = null; // Pe, H and °C at 1 m/s and f = 1; half-width in m and largest pressure in Pa
+  let wheel = null; // Pe, H and °C at 1 m/s and f = 1; half-width in m, largest pressure in Pa, a/R
+  const per_size = () => (wheel ? wheel[1] / wheel[5] : 1); // H by a/R
 
   function instance_in(root, number) {
     const names = (root.dataset.views || "contact").split(" ");
     const large = "large" in root.dataset, me = { answer: null };
-    let scene = scene_from(root.dataset.scene || ""), later, curve_of = "";
+    let scene = scene_from(root.dataset.scene || ""), later, slow, curve_of = "";
     me.now = (what) => ({ "stick-slip-border": border, creep }[scene.given] === what ? scene.value : me.answer.value[what]);
     me.degrees = (x) => (x.speed > 0 && wheel ? wheel[2] * x.speed * x.friction : 1);
     root.replaceChildren();
     const shown = names.map((name) => views[name](me));
     const keys = (root.dataset.sliders || Object.keys(sliders).join(" ")).split(" ");
-    const controls = keys.map((key) => [key, slider(key, (value) => me.change(
-      key === "traction" ? { given: "traction", value } : key === "peclet" || key === "heating" ? { [key]: value, speed: 0 } : { [key]: value }))]);
+    const changes = { traction: (value) => ({ given: "traction", value }), peclet: (peclet) => ({ peclet, speed: 0 }),
+      heating: (heating) => ({ heating, speed: 0 }), size: (size) => ({ heating: size * per_size(), speed: 0 }) };
+    const controls = keys.map((key) => [key, slider(key, (value) => me.change(changes[key] ? changes[key](value) : { [key]: value }))]);
     const lists = large ? [["roller", "roller"], ["direction", "wheel"], ["law", "friction law"], ["method", "model"]]
       .map(([key, name]) => [key, list(key, name, (value) => me.change({ [key]: value }))]) : [];
     const panel = element("div", { class: "live-panel" });
@@ -413,30 +419,41 @@ function live_page(engine) {
       buttons.append(button);
     }
     const story = element("p", { class: "live-story", role: "status" }), made = element("p", { class: "live-story" });
-    const table = element("table", {}, "<tbody></tbody>"), links = element("p", { class: "live-links" });
+    const table = element("div", { class: "live-results" }, "<table><tbody></tbody></table>"), links = element("p", { class: "live-links" });
     panel.append(buttons, story, made, ...(large ? [table, links] : []));
     root.append(...shown.map((view) => view.figure), panel);
 
     function show_controls() {
-      const now = { ...scene, traction: scene.given === "traction" ? scene.value : Math.abs(me.answer ? me.answer.value[traction] / scene.friction : 0.5) };
+      const now = { ...scene, size: scene.heating / per_size(),
+        traction: scene.given === "traction" ? scene.value : Math.abs(me.answer ? me.answer.value[traction] / scene.friction : 0.5) };
       for (const [key, control] of [...controls, ...lists]) control.show(now[key]);
       root.classList.toggle("with-law", scene.law !== "constant");
     }
+    function show_table(asked) {
+      const body = table.querySelector("tbody");
+      body.innerHTML = table_of(me.answer, asked, me);
+      table.style.setProperty("--rows", body.children.length);
+    }
+
+    const tell = (words) => { if (story.textContent !== words) story.textContent = words; };
+
     async function redraw() {
       const asked = scene, question = question_of(asked);
       clearTimeout(later);
+      clearTimeout(slow);
+      slow = setTimeout(show_controls, 50);
       try {
         me.answer = await ask("draw", question, number);
         for (const view of shown) view.draw(me.answer, asked);
-        story.textContent = story_of(me.answer, asked);
-        if (asked !== scene) return;
-        table.firstChild.innerHTML = table_of(me.answer, asked, me);
+        tell(story_of(me.answer, asked));
+        show_table(asked);
         root.classList.remove("refused");
-        show_controls();
       } catch (error) {
-        story.textContent = `Refused: ${error.message}`;
+        tell(`Refused: ${error.message}`);
         root.classList.add("refused");
       }
+      clearTimeout(slow);
+      show_controls();
       if (asked !== scene) return;
       later = setTimeout(slower, curve_of ? 250 : 0, asked, question);
     }
@@ -460,7 +477,7 @@ function live_page(engine) {
         }
       } catch {
         made.textContent = "";
-        if (creep_view && curve_of !== key) creep_view.curve([]);
+        if (creep_view && curve_of !== key) creep_view.curve({ rows: [], top: null });
       }
     }
 
@@ -478,7 +495,6 @@ function live_page(engine) {
       me.touched = true;
       scene = { ...scene, ...some };
       if (scene.speed > 0 && wheel) Object.assign(scene, { peclet: wheel[0] * scene.speed, heating: wheel[1] });
-      show_controls();
       return redraw();
     };
     me.move = (text) => me.change(scene_from(text));

@@ -257,4 +257,14 @@ Choice least_model(const Scene& scene, const Approach& approach, const Prescribe
   return {Model::coupled, reason, solve_coupled(scene, approach, given)};
 }
 
+Choice solve_by_method(const Scene& scene, const Approach& a, const Prescribed& given) {
+  const std::string asked = "asked for";
+  if (a.method == Method::coupled) return {Model::coupled, asked, solve_coupled(scene, a, given)};
+  if (a.method == Method::first_order)
+    return {Model::first_order, asked, first_order(scene, a, given)};
+  if (a.method == Method::closed_form)
+    return {Model::closed_form, asked, closed_form(scene, a, given)};
+  return least_model(scene, a, given);
+}
+
 }  // namespace thermoroll

@@ -29,16 +29,8 @@ void set_given(const Prescribed& given, Results& value, Results& error) {
   error(given.quantity) = 0;
 }
 
-Choice choose(const Scene& scene, const Approach& a, const Prescribed& given) {
-  const std::string asked = "asked for";
-  if (a.method == Method::coupled) return {Model::coupled, asked, solve_coupled(scene, a, given)};
-  if (a.method == Method::first_order)
-    return {Model::first_order, asked, first_order(scene, a, given)};
-  return least_model(scene, a, given);
-}
-
 Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const Prescribed& given) {
-  const auto [model, reason, x] = choose(scene, approach, given);
+  const auto [model, reason, x] = solve_by_method(scene, approach, given);
   if (!x.error.allFinite())
     throw std::runtime_error("first-order: heat is too strong for one linear correction");
   Results value = x.value, error = x.error;

@@ -11,7 +11,7 @@ import time
 class Browser:
     """One page of a browser. Used by `with`; everything of it is gone at the end."""
 
-    def __init__(self, width=1366, height=900):
+    def __init__(self, width=1366, height=900, *switches):
         self.folder = tempfile.mkdtemp()
         to_browser, self.to = os.pipe()
         self.of, from_browser = os.pipe()
@@ -24,7 +24,7 @@ class Browser:
         arguments = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
                      "--disable-background-networking", "--disable-component-update", "--disable-sync",
                      "--allow-file-access-from-files", "--remote-debugging-pipe",
-                     f"--window-size={width},{height}", f"--user-data-dir={self.folder}/profile"]
+                     f"--window-size={width},{height}", f"--user-data-dir={self.folder}/profile", *switches]
         self.process = subprocess.Popen(arguments, close_fds=False, preexec_fn=pipes,
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 import os
 import random
@@ -159,10 +160,14 @@ def NumbersAreThoseOfTheProgram():
 
 # --- Handles, keys, links ---------------------------------------------------------------------------
 
+def place_of(browser, handle):
+    return browser.run(f"(() => {{ const b = {LARGE}.querySelectorAll('.handle')[{handle}].lastChild"
+                       ".getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })()")
+
+
 def drag(browser, handle, dx):
-    """Drag a handle to the right by so many pixels, as a finger or a mouse would."""
-    box = browser.run(f"(() => {{ const b = {LARGE}.querySelectorAll('.handle')[{handle}].lastChild"
-                      ".getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; })()")
+    """Drag a handle to the right by so many pixels, by the mouse."""
+    box = place_of(browser, handle)
     mouse = lambda kind, x: browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=box[1], button="left",
                                          buttons=1, clickCount=1)
     mouse("mousePressed", box[0])
@@ -198,6 +203,13 @@ def HandlesAndKeys():
             f"(() => {{ const i = {LARGE}.querySelector('.traction input'); i.value = 100;"
             "i.dispatchEvent(new Event('input')); })()"))
         assert "--traction" in text, text
+        # To the ends, and by a tenth of the range, which for the border is 2.
+        browser.run(f"{LARGE}.querySelector('.handle').focus()")
+        now = lambda: float(browser.run(f"{LARGE}.querySelector('.handle').getAttribute('aria-valuenow')"))
+        for name, place in (("Home", -0.995), ("PageUp", -0.795), ("End", 0.995), ("PageDown", 0.795)):
+            changed(browser, lambda: key(browser, name))
+            browser.wait(f"Math.abs(window.thermoroll.begin_at({LARGE}).answer.value[0] - {place}) < 1e-9")
+            assert abs(now() - place) <= 5e-4, (name, now())
         # The command is that of the numbers shown.
         browser.wait(f"!!{LARGE}.querySelector('.now')")
         shown = state(browser)
@@ -205,6 +217,105 @@ def HandlesAndKeys():
         out = subprocess.run(["build/" + text + " --format json"], shell=True, capture_output=True, text=True)
         assert f'"creep": {shown[CREEP]:.6g}'[:16] in out.stdout, (text, shown, out.stdout, out.stderr)
         assert not browser.complaints(), browser.complaints()
+
+
+def Touch():
+    """A finger drags the border, and the page does not scroll under it; beside the handle it scrolls."""
+    with Browser(390, 740) as browser:
+        browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
+        opened(browser)
+        drawn(browser)
+        finger = lambda kind, *at: browser.call("Input.dispatchTouchEvent", type=kind,
+                                                touchPoints=[{"x": x, "y": y} for x, y in at])
+        start, scrolled = state(browser), browser.run("scrollY")
+        x, y = place_of(browser, 0)
+
+        def swipe():
+            finger("touchStart", (x, y))
+            for step in range(1, 9):
+                finger("touchMove", (x + 5 * step, y + 9 * step))  # more down than along
+            finger("touchEnd")
+
+        assert "--stick-slip-border" in changed(browser, swipe)
+        browser.wait(f"window.thermoroll.begin_at({LARGE}).answer.value[0] > {start[BORDER] + 0.1}")
+        assert browser.run("scrollY") == scrolled
+        moved = state(browser)
+        assert moved[TRACTION] < start[TRACTION] and moved[CREEP] < start[CREEP], (start, moved)
+        assert not browser.complaints(), browser.complaints()
+
+
+def SlidersAndMarks():
+    with Browser() as browser:
+        opened(browser, "peclet=100&law=linear&law_temperature=0.02&given=creep&value=0.35")
+        drawn(browser)
+        # The maximum of the creep curve is that of the program, though no traction is prescribed here.
+        browser.wait(f"!!{LARGE}.querySelector('circle.peak')")
+        mark = browser.run(LARGE + ".querySelector('text.peak').textContent")
+        out = subprocess.run(["build/thermoroll", "solve", "--friction", "0.6", "--peclet", "100", "--heating", "0.0175",
+                              "--friction-law", "linear", "--friction-temperature", "0.02", "--traction", "0.3",
+                              "--format", "json"], capture_output=True, text=True, check=True)
+        top = json.loads(out.stdout)
+        assert mark == f"at most {top['traction_limit']:.4f}", (mark, top["traction_limit"])
+        at = browser.run(f"""(() => {{
+          const dot = {LARGE}.querySelector("circle.peak"), all = [...dot.parentElement.querySelectorAll(".line-c")];
+          const line = all[0].getAttribute("d").slice(1).split("L").map((point) => point.split(" ").map(Number));
+          const highest = line.reduce((a, b) => (b[1] < a[1] ? b : a));
+          return [highest, ["cx", "cy"].map((name) => Number(dot.getAttribute(name)))]; }})()""")
+        # The line has sixty points before full slip and as many after it, five pixels apart at most.
+        assert abs(at[0][0] - at[1][0]) < 5 and abs(at[0][1] - at[1][1]) < 1, at
+        changed(browser, lambda: browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ law: 'constant', value: 0.2 }})"))
+        browser.wait(f"!{LARGE}.querySelector('.peak')")
+        # a/R and H are one number: the paper's wheel has both.
+        slider = lambda name: browser.run(f"Number({LARGE}.querySelector('.{name} output').textContent)")
+        wheel = browser.run("window.thermoroll.ask('wheel', {}, 'test')")
+        move = lambda name, to: browser.run(f"(() => {{ const i = {LARGE}.querySelector('.{name} input');"
+                                            f"i.value = {to}; i.dispatchEvent(new Event('input')); }})()")
+        text = changed(browser, lambda: move("size", 120))
+        size, heating = slider("size"), float(re.search(r"--heating (\S+)", text).group(1))
+        assert abs(size / (2e-4 * 25000 ** 0.6) - 1) < 5e-3, size  # from 2e-4 to 5
+        assert abs(heating / size / (wheel[1] / wheel[5]) - 1) < 5e-3, (heating, size, wheel)  # three digits are shown
+        text = changed(browser, lambda: move("heating", 60))
+        assert abs(slider("heating") / slider("size") / (wheel[1] / wheel[5]) - 1) < 1e-2, text
+        assert abs(wheel[1] / wheel[5] - 0.728) < 1e-3, wheel  # pi / 4 (1 - 2 nu) / (1 - nu) Gamma of this steel
+        assert "--heating 0 " in changed(browser, lambda: move("size", 0))
+        assert slider("size") == slider("heating") == 0
+        assert not browser.complaints(), browser.complaints()
+
+
+def NamesAndRoles():
+    """A screen reader finds each control with a name, its range and its value, and the value follows."""
+    with Browser() as browser:
+        opened(browser)
+        drawn(browser)
+        browser.wait(f"!!{LARGE}.querySelector('.line-c')")
+        browser.call("Accessibility.enable")
+
+        def controls(role):
+            found = {}
+            for node in browser.call("Accessibility.getFullAXTree")["nodes"]:
+                if node.get("role", {}).get("value") == role and not node["ignored"]:
+                    properties = {p["name"]: p["value"].get("value") for p in node["properties"]}
+                    assert node["name"]["value"] not in found, node
+                    found[node["name"]["value"]] = {**properties, "value": node.get("value", {}).get("value")}
+            return found
+
+        sliders = controls("slider")
+        border, friction = sliders["border between stick and slip"], sliders["friction f"]
+        assert set(sliders) == {"border between stick and slip", "creep", "friction f", "traction Q*/f",
+                                "Péclet number Pe", "speed, m/s", "heating H", "a/R, of steel", "tolerance"}, sliders
+        assert border["valuemin"] == -1 and border["valuemax"] == 1, border
+        said = lambda which: browser.run(f"{LARGE}.querySelector({which!r}).getAttribute('aria-valuetext')")
+        assert said(".handle") == f"border at {border['value']:.3f} half-widths", (said(".handle"), border)
+        assert said(".friction input") == "0.6" and friction["valuemax"] == 200, (said(".friction input"), friction)
+        assert len(controls("combobox")) == 4 and all(controls("combobox")), controls("combobox")
+        browser.run(f"{LARGE}.querySelector('.handle').focus()")
+        changed(browser, lambda: key(browser, "ArrowRight"))
+        browser.wait(f"window.thermoroll.begin_at({LARGE}).answer.value[0] > {border['value'] + 0.03}")
+        moved = controls("slider")["border between stick and slip"]
+        assert moved["focused"] and abs(moved["value"] - border["value"] - 0.04) < 2e-3, (border, moved)
+        assert said(".handle") == f"border at {moved['value']:.3f} half-widths", (said(".handle"), moved)
+        text = said(".handle[aria-label=creep]")
+        assert text == "creep {:.4f}, traction {:.4f}".format(state(browser)[CREEP], state(browser)[TRACTION]), text
 
 
 def LinksAndNonsense():
@@ -241,7 +352,7 @@ def RefusalsAreSentences():
         # So is nonsense, and the next question is answered.
         got = browser.run("window.thermoroll.ask('solve', {}, 'test').catch((e) => e.message)")
         assert isinstance(got, str) and "friction" in got, got
-        assert browser.run("window.thermoroll.ask('wheel', {}, 'test').then((x) => x.length)") == 5
+        assert browser.run("window.thermoroll.ask('wheel', {}, 'test').then((x) => x.length)") == 6
         assert not browser.complaints(), browser.complaints()
 
 
@@ -257,7 +368,7 @@ def SlowSolvesAreCutOff():
         browser.wait("!!window.lost")
         got = browser.run("window.thermoroll.ask('wheel', {}, 'test').then((x) => x.length)")
         waited = browser.run("performance.now() - window.lost")
-        assert got == 5 and waited > 4900, (got, waited)  # by the worker that followed
+        assert got == 6 and waited > 4900, (got, waited)  # by the worker that followed
         changed(browser, lambda: browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ digits: 3 }})"))
         browser.wait(f"!!{LARGE}.querySelector('.now')")
         assert not browser.complaints(), browser.complaints()
@@ -290,6 +401,29 @@ def PageStandsWithoutIt():
                 assert browser.run(f"!{LARGE}.querySelector('svg')"), what
             assert browser.run(words) > 0.95 * whole, what
             assert not browser.complaints(), (what, browser.complaints())
+
+
+def PolicyThatRefuses():
+    """With a policy that refuses WebAssembly a sentence says so; with one that refuses scripts all is as without them."""
+    with open("build/report.html", encoding="utf-8") as file:
+        report = file.read()
+    script = "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:"
+    assert report.count(script) == 1
+    figures = "[...document.querySelectorAll('article figure svg')].filter((e) => e.checkVisibility()).length"
+    for policy in ("script-src 'unsafe-inline' blob:", "script-src 'none'"):
+        with open(FOLDER.name + "/refusing.html", "w", encoding="utf-8") as file:
+            file.write(report.replace(script, policy))
+        with Browser() as browser:
+            browser.open("file://" + FOLDER.name + "/refusing.html")
+            if "inline" in policy:
+                browser.wait(f"{LARGE}.textContent.includes('does not run here')")
+            else:
+                assert browser.run("typeof window.thermoroll") == "undefined"
+                assert "does not run" not in browser.run(LARGE + ".textContent")
+            assert browser.run(LARGE + ".textContent.includes('Without them')"), policy
+            assert browser.run(f"!document.querySelector('.live svg')"), policy
+            assert browser.run(figures) > 30, (policy, browser.run(figures))
+            assert all("Content Security Policy" in said for said in browser.complaints()), browser.complaints()
 
 
 def FitsAPhone():

@@ -8,10 +8,14 @@ grep -q 'id="solver"' build/report.html || fail "no solver in build/report.html:
 run() { PYTHONDONTWRITEBYTECODE=1 timeout 300 python3 tests/live/live_test.py "$@" || fail "$1"; }
 NumbersAreThoseOfTheProgram() { run "${FUNCNAME[0]}"; }
 HandlesAndKeys() { run "${FUNCNAME[0]}"; }
+Touch() { run "${FUNCNAME[0]}"; }
+SlidersAndMarks() { run "${FUNCNAME[0]}"; }
+NamesAndRoles() { run "${FUNCNAME[0]}"; }
 LinksAndNonsense() { run "${FUNCNAME[0]}"; }
 RefusalsAreSentences() { run "${FUNCNAME[0]}"; }
 SlowSolvesAreCutOff() { run "${FUNCNAME[0]}"; }
 PageStandsWithoutIt() { run "${FUNCNAME[0]}"; }
+PolicyThatRefuses() { run "${FUNCNAME[0]}"; }
 FitsAPhone() { run "${FUNCNAME[0]}"; }
 
 "$1"
