@@ -433,23 +433,6 @@ GivenScene read_scene(const SceneOptions& o) {
   return scene;
 }
 
-SolvedScene solve_scene(const GivenScene& c) try {
-  if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
-  PhysicalScene si = *c.physical;
-  const double friction = c.scene.friction;
-  if (c.radius)
-    si.half_width = half_width_of_radius(si, *c.radius, friction, c.given, c.approach, c.unit);
-  check(si);
-  const Prescribed given = dimensionless(si, c.given, c.unit);
-  const Solution x = solve(scene_of(si, friction), given, c.approach);
-  return {x, units_of(si, friction), in_si_units(x, si, c.radius.has_value(), c.unit)};
-} catch (const std::invalid_argument& refusal) {
-  const std::string text = refusal.what();
-  const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
-  if (c.as_given.empty() || !about_it) throw;
-  throw std::invalid_argument(c.as_given + ": " + text);
-}
-
 CLI::Validator finite_number(const std::string& name, const std::string& unit) {
   const auto is_number = [](const std::string& text) { return to_number(text).has_value(); };
   return allow(name, is_number, "a finite number" + (unit == "NUMBER" ? "" : " in " + unit));
