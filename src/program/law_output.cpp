@@ -280,7 +280,7 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
                             const std::optional<LawUnits>& units) {
   std::string text = "creep,traction,stick_slip_border,full_slip,max_temperature";
   const bool bulk = units && units->bulk_temperature;
-  if (units) text += ",creep_ratio,creep_speed_m_per_s,traction_n_per_m,max_temperature_celsius";
+  if (units) text += ",creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius";
   if (bulk) text += ",contact_temperature_celsius";
   text +=
       ",error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature\n";

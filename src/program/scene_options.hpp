@@ -45,8 +45,9 @@ bool is_group_option(const std::string& name);
 bool is_roller_option(const std::string& name);
 bool is_given_option(const std::string& name);
 
-/// The options that every scene in SI units has, without their hyphens.
+/// The options that every scene in SI units has, and those that prescribe, without their hyphens.
 std::vector<std::string> data_in_si_units();
+std::vector<std::string> given_names();
 
 /// The unit of an option that is a number, "1" if it has none; empty if there is no such option.
 std::string unit_of_option(const std::string& name);

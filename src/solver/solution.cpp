@@ -92,6 +92,9 @@ void check_with_sign(const Scene& scene, const Prescribed& given) {
   const std::string range = "between -" + shortest(friction) + " and " + shortest(friction);
   if (given.quantity == traction && !scene.law)
     require(std::abs(x) <= friction, "traction", x, range + ", the friction");
+  if (given.quantity != stick_slip_border && x != 0)
+    require(!(std::abs(x) < 1e-150), given.quantity == traction ? "traction" : "creep", x,
+            "0 or at least 1e-150 in size");
 }
 
 void check_tolerance(double tolerance) {
