@@ -7,9 +7,15 @@
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
+#include <iterator>
 #include <new>
+#include <optional>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
+#include "support/number_text.hpp"
 #include "thermoroll/thermoroll.hpp"
 
 namespace {
@@ -27,6 +33,21 @@ void refuse_unused(std::initializer_list<double> data, const char* message) {
     if (x != 0) throw std::invalid_argument(message);
 }
 
+bool in_si(const thermoroll_scene& x) { return x.load != 0; }
+
+void refuse_other_kind(const thermoroll_scene& x) {
+  if (in_si(x))
+    return refuse_unused(
+        {x.peclet, x.heating, x.conductivity_ratio, x.heating_2, x.peclet_2, x.bulk_difference},
+        "peclet, heating, conductivity_ratio, heating_2, peclet_2 and "
+        "bulk_difference are not for data in SI units, which have a load");
+  const double bulk = std::isnan(x.bulk_temperature) && std::isnan(x.bulk_temperature_2) ? 0 : 1;
+  refuse_unused(
+      {x.speed, x.half_width, x.radius, x.shear_modulus, x.poisson, x.expansion, x.diffusivity,
+       x.conductivity, x.expansion_2, x.conductivity_2, x.diffusivity_2, bulk},
+      "load = 0 is not allowed: data in SI units need it");
+}
+
 Roller roller_of(const thermoroll_scene& x) {
   const auto kind = word<thermoroll_roller>("roller", x.roller, THERMOROLL_CONDUCTING);
   if (kind != THERMOROLL_CONDUCTING)
@@ -38,7 +59,24 @@ Roller roller_of(const thermoroll_scene& x) {
   return {x.conductivity_ratio, x.heating_2, x.peclet_2 == x.peclet ? 0 : x.peclet_2};
 }
 
-FrictionLaw friction_of(const thermoroll_scene& x) {
+void read_roller(const thermoroll_scene& x, PhysicalScene& si) {
+  const auto kind = word<thermoroll_roller>("roller", x.roller, THERMOROLL_CONDUCTING);
+  if (kind == THERMOROLL_CONDUCTING) {
+    require(x.conductivity_2 > 0, "conductivity_2", x.conductivity_2, "positive");
+    si.expansion_2 = x.expansion_2;
+    si.conductivity_2 = x.conductivity_2;
+    si.diffusivity_2 = x.diffusivity_2 == 0 ? x.diffusivity : x.diffusivity_2;
+    return;
+  }
+  refuse_unused({x.expansion_2, x.conductivity_2, x.diffusivity_2},
+                "expansion_2, conductivity_2 and diffusivity_2 are for a conducting roller only");
+  if (kind == THERMOROLL_INSULATED) return;
+  si.expansion_2 = si.expansion;
+  si.conductivity_2 = si.conductivity;
+  si.diffusivity_2 = si.diffusivity;
+}
+
+std::optional<LawOfFriction> friction_of(const thermoroll_scene& x) {
   const int kind = word<int>("friction_law", x.friction_law, THERMOROLL_PIECEWISE_LINEAR);
   const double reference = x.friction_reference_temperature;
   if (kind != THERMOROLL_CONSTANT)
@@ -53,30 +91,77 @@ FrictionLaw friction_of(const thermoroll_scene& x) {
 Direction direction_of(const thermoroll_scene& x) {
   const auto direction = word<Direction>("direction", x.direction, THERMOROLL_BRAKING);
   if (direction == Direction::braking && x.quantity != THERMOROLL_STICK_SLIP_BORDER && x.given > 0)
-    throw std::invalid_argument("direction = braking contradicts a positive traction or creep");
+    throw std::invalid_argument(
+        "direction = braking contradicts the given quantity, which is "
+        "positive: it drives");
   return direction;
 }
 
 Prescribed given_of(const thermoroll_scene& x) {
   constexpr Quantity quantities[] = {Quantity::traction, Quantity::creep,
-                                     Quantity::stick_slip_border};
-  const int quantity = word<int>("quantity", x.quantity, THERMOROLL_STICK_SLIP_BORDER);
+                                     Quantity::stick_slip_border, Quantity::creep,
+                                     Quantity::traction};
+  const int quantity = word<int>("quantity", x.quantity, THERMOROLL_TANGENTIAL_LOAD);
   const auto branch = word<Branch>("branch", x.branch, THERMOROLL_FALLING);
-  if (branch == Branch::falling && quantity != THERMOROLL_TRACTION)
+  if (branch == Branch::falling && quantities[quantity] != Quantity::traction)
     throw std::invalid_argument(
         "branch = falling is for a given traction: a creep or a border has one solution");
-  return {quantities[quantity], x.given, branch};
+  if (quantity >= THERMOROLL_CREEP_RATIO && !in_si(x))
+    throw std::invalid_argument(
+        "a creep ratio or a tangential load needs data in SI units, which have a load");
+  const double unit = quantity == THERMOROLL_TANGENTIAL_LOAD ? x.load : 1;
+  return {quantities[quantity], x.given / unit, branch};
 }
 
 Scene scene_of(const thermoroll_scene& x) {
-  return {x.friction,      x.peclet,       x.heating,        roller_of(x),
-          direction_of(x), friction_of(x), x.bulk_difference};
+  Scene scene{x.friction, x.peclet, x.heating, roller_of(x), direction_of(x)};
+  if (const auto law = friction_of(x)) scene.law = *law;
+  scene.bulk_difference = x.bulk_difference;
+  return scene;
+}
+
+std::optional<double> known(double x) {
+  return std::isnan(x) ? std::nullopt : std::optional<double>(x);
+}
+
+PhysicalScene physical_of(const thermoroll_scene& x) {
+  PhysicalScene si{x.load,    x.speed,     x.half_width,  x.shear_modulus,
+                   x.poisson, x.expansion, x.diffusivity, x.conductivity};
+  if ((x.half_width == 0) == (x.radius == 0))
+    throw std::invalid_argument("data in SI units need either half_width or radius");
+  if (!std::isnan(x.bulk_temperature_2) && std::isnan(x.bulk_temperature))
+    throw std::invalid_argument("bulk_temperature_2 needs bulk_temperature");
+  read_roller(x, si);
+  si.direction = direction_of(x);
+  si.bulk_temperature = known(x.bulk_temperature);
+  si.bulk_temperature_2 = known(x.bulk_temperature_2);
+  si.law = friction_of(x);
+  return si;
+}
+
+std::string as_given(const thermoroll_scene& x) {
+  if (x.quantity == THERMOROLL_CREEP_RATIO) return "creep_ratio = " + shortest(x.given);
+  if (x.quantity == THERMOROLL_TANGENTIAL_LOAD) return "tangential_load = " + shortest(x.given);
+  return "";
 }
 
 Approach approach_of(const thermoroll_scene& x) {
   if (x.unused != 0) throw std::invalid_argument("unused is not 0");
   return {word<Formulation>("formulation", x.formulation, THERMOROLL_CORRECTED), x.tolerance,
           word<Method>("method", x.method, THERMOROLL_GAUSS_CHEBYSHEV), x.nodes};
+}
+
+GivenScene given_scene(const thermoroll_scene& x) {
+  refuse_other_kind(x);
+  const Prescribed given = given_of(x);
+  const Approach approach = approach_of(x);
+  if (!in_si(x)) return {scene_of(x), given, approach, {}, {}};
+  const PhysicalScene si = physical_of(x);
+  GivenScene scene{{x.friction, 0, 0}, given, approach, si, {}};
+  if (x.radius != 0) scene.radius = x.radius;
+  if (x.quantity == THERMOROLL_CREEP_RATIO) scene.unit = CreepUnit::ratio;
+  scene.as_given = as_given(x);
+  return scene;
 }
 
 void copy(const Results& from, thermoroll_values& to) {
@@ -110,16 +195,46 @@ void write(const std::string& message, char (&to)[n]) {
   std::fill(to + message.copy(to, n - 1), to + n, '\0');
 }
 
+/// Fill a structure that has doubles only with NaN.
+template <class Numbers>
+void empty(Numbers& x) {
+  double none[sizeof x / sizeof(double)];
+  std::fill(std::begin(none), std::end(none), std::nan(""));
+  std::memcpy(&x, none, sizeof x);
+}
+
 thermoroll_result empty_result() {
   thermoroll_result x{};
   x.size = sizeof x;
   x.model = THERMOROLL_NO_MODEL;
-  for (thermoroll_values* values : {&x.value, &x.error})
-    std::fill_n(&values->stick_slip_border, sizeof *values / sizeof(double), std::nan(""));
+  for (thermoroll_values* values : {&x.value, &x.error}) empty(*values);
+  for (thermoroll_physical* values : {&x.physical, &x.physical_error}) empty(*values);
+  empty(x.unit);
   return x;
 }
 
-thermoroll_result result_of(const Solution& x) {
+void copy(const PhysicalResults& from, thermoroll_physical& to) {
+  static_assert(offsetof(thermoroll_physical, contact_temperature_celsius) == sizeof from);
+  std::memcpy(&to, &from, sizeof from);
+}
+
+void copy(const FoundInSi& from, thermoroll_result& to) {
+  copy(from.value, to.physical);
+  if (from.error) copy(*from.error, to.physical_error);
+  if (!from.contact_temperature_celsius) return;
+  to.physical.contact_temperature_celsius = *from.contact_temperature_celsius;
+  to.physical_error.contact_temperature_celsius = to.physical_error.max_temperature_celsius;
+}
+
+std::string in_short(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes)
+    text += (text.empty() ? "" : "; ") + note.substr(0, note.find(" ("));
+  return text;
+}
+
+thermoroll_result result_of(const SolvedScene& solved) {
+  const auto& [x, units, physical] = solved;
   thermoroll_result to = empty_result();
   const auto* found = std::get_if<CoupledSolution>(&x.found);
   copy(x.value, to.value);
@@ -129,6 +244,11 @@ thermoroll_result result_of(const Solution& x) {
   if (x.model) to.model = static_cast<int32_t>(*x.model);
   if (x.model == Model::coupled) to.unknowns = found->unknowns;
   write(x.reason, to.message);
+  if (units)
+    to.unit = {units->length, units->traction, units->slip, units->heat_flux, units->temperature};
+  if (!physical) return to;
+  copy(*physical, to);
+  write(in_short(physical->notes), to.notes);
   return to;
 }
 
@@ -137,6 +257,14 @@ int status_of(const std::exception& error) {
   if (dynamic_cast<const NotConverged*>(&error) != nullptr) return THERMOROLL_NOT_CONVERGED;
   if (dynamic_cast<const NoContact*>(&error) != nullptr) return THERMOROLL_NO_CONTACT;
   return THERMOROLL_FAILED;
+}
+
+/// A refusal that names an option of the command line names the member: underscores for hyphens.
+std::string of_members(std::string message) {
+  const std::size_t end = message.find(' ');
+  if (end == std::string::npos || message.compare(end, 3, " = ") != 0) return message;
+  std::replace(message.begin(), message.begin() + static_cast<long>(end), '-', '_');
+  return message;
 }
 
 /// Do the work, or write why it failed into an answer or the info of a law.
@@ -148,7 +276,7 @@ void attempt(Told& told, const Work& work) noexcept try {
   write("there is not enough memory", told.message);
 } catch (const std::exception& error) {
   told.status = status_of(error);
-  write(error.what(), told.message);
+  write(of_members(error.what()), told.message);
 } catch (...) {
   told.status = THERMOROLL_FAILED;
 }
@@ -162,8 +290,8 @@ void refuse_what_is_no_contact(const Solution& x) {
 void solve_row(const thermoroll_scene& scene, thermoroll_result& result) noexcept {
   result = empty_result();
   attempt(result, [&] {
-    const Solution x = solve(scene_of(scene), given_of(scene), approach_of(scene));
-    refuse_what_is_no_contact(x);
+    const SolvedScene x = solve_scene(given_scene(scene));
+    refuse_what_is_no_contact(x.solution);
     result = result_of(x);
   });
 }
@@ -187,6 +315,31 @@ void for_each_row(std::size_t count, int threads, const Work& work) {
   for (std::thread& thread : others) thread.join();
 }
 
+void copy(const Profile& from, thermoroll_point* to) {
+  const bool shared = from.heat_flux_1.size() > 0;
+  for (Eigen::Index k = 0; k < from.s.size(); ++k)
+    to[k] = {sizeof *to,
+             THERMOROLL_DONE,
+             from.s(k),
+             from.pressure(k),
+             from.traction(k),
+             from.slip(k),
+             from.heat_flux(k),
+             from.temperature(k),
+             shared ? from.heat_flux_1(k) : from.heat_flux(k),
+             shared ? from.heat_flux_2(k) : 0};
+}
+
+std::pair<Scene, LawUnits> scene_of_law(const thermoroll_scene& x) {
+  const GivenScene given = given_scene(x);
+  if (!given.physical) return {given.scene, LawUnits{}};
+  if (given.radius)
+    throw std::invalid_argument(
+        "a law in SI units needs half_width: from a radius it would differ");
+  check(*given.physical);
+  return {scene_of(*given.physical, x.friction), law_units(*given.physical, x.friction)};
+}
+
 std::string ends_of(const CreepLaw& law) {
   std::string text;
   for (const LawHalf* half : {&law.driving, &law.braking})
@@ -196,24 +349,26 @@ std::string ends_of(const CreepLaw& law) {
   return text;
 }
 
-void tell(const CreepLaw& law, thermoroll_law_info& info) {
-  info.driving_end = law.driving.last_creep;
-  info.braking_end = law.braking.last_creep;
+void tell(const CreepLaw& law, const LawUnits& unit, thermoroll_law_info& info) {
+  info.driving_end = law.driving.last_creep * unit.creep;
+  info.braking_end = law.braking.last_creep * unit.creep;
   write(ends_of(law), info.message);
 }
 
-thermoroll_law_value value_of(const CreepLaw& law, double creep) {
+thermoroll_law_value value_of(const CreepLaw& law, const LawUnits& in, double given) {
+  const double creep = given / in.creep;
   const std::optional<LawValue> x = evaluate(law, creep);
   const double none = std::nan(""), unit = (creep < 0 ? law.braking : law.driving).unit_creep;
   thermoroll_law_value y{sizeof y, THERMOROLL_REFUSED, none, none, none, none, none, none, none};
   if (!x) return y;
   y.status = THERMOROLL_DONE;
-  y.traction = x->traction;
-  y.slope = x->slope;
-  y.max_temperature = x->temperature;
+  y.traction = x->traction * in.traction;
+  y.slope = x->slope * in.traction / in.creep;
+  y.max_temperature = x->temperature * in.temperature;
   y.stick_slip_border = x->border;
-  y.traction_error = law.traction_error;
-  y.max_temperature_error = law.temperature_error * std::max(1.0, std::abs(creep) / unit);
+  y.traction_error = law.traction_error * in.traction;
+  const double grown = std::max(1.0, std::abs(creep) / unit);
+  y.max_temperature_error = law.temperature_error * grown * in.temperature;
   y.stick_slip_border_error = x->border == -1 ? 0 : law.border_error;
   return y;
 }
@@ -227,6 +382,7 @@ bool is_known(const Row* rows) {
 
 struct thermoroll_law {
   thermoroll::CreepLaw law;
+  thermoroll::LawUnits unit;
 };
 
 const char* thermoroll_message(int status) {
@@ -246,6 +402,7 @@ void thermoroll_scene_init(thermoroll_scene* scene, size_t size) {
   x.formulation = static_cast<int32_t>(by.formulation);
   x.tolerance = by.tolerance;
   x.nodes = by.nodes;
+  x.bulk_temperature = x.bulk_temperature_2 = std::nan("");
   if (scene != nullptr) std::memcpy(scene, &x, std::min(size, sizeof x));
 }
 
@@ -258,6 +415,26 @@ int thermoroll_solve(const thermoroll_scene* scenes, thermoroll_result* results,
   return std::all_of(results, results + count, solved) ? THERMOROLL_DONE : THERMOROLL_ROWS_FAILED;
 }
 
+int thermoroll_profile(const thermoroll_scene* scene, thermoroll_result* result,
+                       thermoroll_point* points, size_t count) {
+  if (count == 0 || !is_known(scene) || !is_known(result) || !is_known(points))
+    return THERMOROLL_REFUSED;
+  thermoroll_result told = empty_result();
+  const double none = std::nan("");
+  std::fill(points, points + count,
+            thermoroll_point{sizeof *points, 0, none, none, none, none, none, none, none, none});
+  attempt(told, [&] {
+    require(2 <= count && count <= 100000, "count", static_cast<double>(count), "from 2 to 100000");
+    const SolvedScene x = solve_scene(given_scene(*scene));
+    refuse_what_is_no_contact(x.solution);
+    copy(profile(x.solution, static_cast<int>(count)), points);
+    told = result_of(x);
+  });
+  for (size_t k = 0; k < count; ++k) points[k].status = told.status;
+  *result = told;
+  return result->status;
+}
+
 thermoroll_law* thermoroll_law_new(const thermoroll_scene* scene, double reach,
                                    thermoroll_law_info* info) {
   if (!is_known(info)) return nullptr;
@@ -266,9 +443,10 @@ thermoroll_law* thermoroll_law_new(const thermoroll_scene* scene, double reach,
   thermoroll_law* made = nullptr;
   attempt(*info, [&] {
     const Approach by = approach_of(*scene);
-    const CreepLaw law = creep_law(scene_of(*scene), by.formulation, by.tolerance, reach);
-    tell(law, *info);
-    made = new thermoroll_law{law};
+    const auto [of, unit] = scene_of_law(*scene);
+    const CreepLaw law = creep_law(of, by.formulation, by.tolerance, reach / unit.creep);
+    tell(law, unit, *info);
+    made = new thermoroll_law{law, unit};
     info->status = THERMOROLL_DONE;
   });
   return made;
@@ -280,7 +458,7 @@ int thermoroll_law_evaluate(const thermoroll_law* law, const double* creeps,
   if (law == nullptr || creeps == nullptr || !is_known(values)) return THERMOROLL_REFUSED;
   bool all = true;
   for (std::size_t row = 0; row < count; ++row) {
-    values[row] = value_of(law->law, creeps[row]);
+    values[row] = value_of(law->law, law->unit, creeps[row]);
     all = all && values[row].status == THERMOROLL_DONE;
   }
   return all ? THERMOROLL_DONE : THERMOROLL_ROWS_FAILED;

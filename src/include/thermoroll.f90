@@ -7,6 +7,7 @@ module thermoroll
 
   enum, bind(c)
     enumerator :: thermoroll_traction = 0, thermoroll_creep, thermoroll_stick_slip_border
+    enumerator :: thermoroll_creep_ratio, thermoroll_tangential_load
     enumerator :: thermoroll_insulated = 0, thermoroll_identical, thermoroll_conducting
     enumerator :: thermoroll_driving = 0, thermoroll_braking
     enumerator :: thermoroll_constant = 0, thermoroll_linear, thermoroll_exponential
@@ -31,6 +32,10 @@ module thermoroll
     integer(c_int32_t) :: method, formulation
     real(c_double) :: tolerance
     integer(c_int32_t) :: nodes, unused
+    real(c_double) :: load, speed, half_width, radius, shear_modulus, poisson
+    real(c_double) :: expansion, diffusivity, conductivity
+    real(c_double) :: expansion_2, conductivity_2, diffusivity_2
+    real(c_double) :: bulk_temperature, bulk_temperature_2
   end type
 
   type, bind(c) :: thermoroll_values
@@ -38,10 +43,25 @@ module thermoroll
     real(c_double) :: load_ratio, gamma0, heat_integral, max_temperature, max_temperature_at
     real(c_double) :: eccentricity, heat_1, heat_2, traction_limit, creep_at_traction_limit
   end type
+  type, bind(c) :: thermoroll_physical
+    real(c_double) :: half_width, radius, creep_ratio, hertz_pressure, max_pressure, max_traction
+    real(c_double) :: max_heat_flux, max_temperature_celsius, half_width_over_radius, dissipation
+    real(c_double) :: tangential_load, max_temperature_at_m, contact_temperature_celsius
+  end type
+  type, bind(c) :: thermoroll_units
+    real(c_double) :: length, traction, slip, heat_flux, temperature
+  end type
   type, bind(c) :: thermoroll_result
     integer(c_int32_t) :: size, status, model, unknowns
     type(thermoroll_values) :: value, error
     character(kind=c_char) :: message(256)
+    type(thermoroll_units) :: unit
+    type(thermoroll_physical) :: physical, physical_error
+    character(kind=c_char) :: notes(256)
+  end type
+  type, bind(c) :: thermoroll_point
+    integer(c_int32_t) :: size, status
+    real(c_double) :: s, pressure, traction, slip, heat_flux, temperature, heat_flux_1, heat_flux_2
   end type
   type, bind(c) :: thermoroll_law_info
     integer(c_int32_t) :: size, status
@@ -73,6 +93,13 @@ module thermoroll
       type(thermoroll_result), intent(inout) :: results(*)
       integer(c_size_t), value :: count
       integer(c_int), value :: threads
+    end function
+    integer(c_int) function thermoroll_profile(scene, result, points, count) bind(c)
+      import
+      type(thermoroll_scene), intent(in) :: scene
+      type(thermoroll_result), intent(inout) :: result
+      type(thermoroll_point), intent(inout) :: points(*)
+      integer(c_size_t), value :: count
     end function
 
     type(c_ptr) function thermoroll_law_new(scene, reach, info) bind(c)

@@ -16,7 +16,13 @@
 extern "C" {
 #endif
 
-enum thermoroll_quantity { THERMOROLL_TRACTION, THERMOROLL_CREEP, THERMOROLL_STICK_SLIP_BORDER };
+enum thermoroll_quantity {
+  THERMOROLL_TRACTION,
+  THERMOROLL_CREEP,
+  THERMOROLL_STICK_SLIP_BORDER,
+  THERMOROLL_CREEP_RATIO,  ///< as the next, of a scene in SI units
+  THERMOROLL_TANGENTIAL_LOAD
+};
 enum thermoroll_roller { THERMOROLL_INSULATED, THERMOROLL_IDENTICAL, THERMOROLL_CONDUCTING };
 enum thermoroll_direction { THERMOROLL_DRIVING, THERMOROLL_BRAKING };
 enum thermoroll_friction_law {
@@ -52,12 +58,13 @@ enum thermoroll_status {
   THERMOROLL_NO_CONTACT = 5      ///< the solution is no contact
 };
 
-/// A scene and how to solve it; dimensionless. thermoroll_scene_init() sets all members, of which
-/// friction, peclet and given must then be chosen.
+/// A scene and how to solve it; dimensionless, or in SI units if its load is not 0.
+/// thermoroll_scene_init() sets all members, of which friction, given and either peclet or the data
+/// in SI units must then be chosen.
 struct thermoroll_scene {
   uint32_t size;      ///< sizeof(struct thermoroll_scene)
   int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
-  double given;       ///< its value: Q* or xi*, negative for braking, or c0 between -1 and 1
+  double given;       ///< its value: Q*, xi*, xi or Q in N/m, negative for braking, or c0
   double friction;    ///< f > 0
   double peclet;      ///< Pe = V a / 2k > 0
   double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
@@ -69,14 +76,22 @@ struct thermoroll_scene {
   double bulk_difference;       ///< Theta, how much warmer a conducting roller is far away; 0
   int32_t friction_law;         ///< enum thermoroll_friction_law; constant
   int32_t branch;               ///< enum thermoroll_branch, of a traction with a law; rising
-  double friction_temperature;  ///< T0* of a law, not 0; else 0
+  double friction_temperature;  ///< T0* of a law, in SI units T0 in K; not 0; else 0
   double friction_floor;        ///< of a law, from 0 to 1 (piecewise linear: its end value); 0
-  double friction_reference_temperature;  ///< of a law, where friction is f; 0
-  int32_t method;                         ///< enum thermoroll_method; auto
-  int32_t formulation;                    ///< enum thermoroll_formulation; corrected
-  double tolerance;                       ///< 1e-11 to 1e-2; 1e-6
-  int32_t nodes;                          ///< of the published scheme, 3 to 5000; 200
-  int32_t unused;                         ///< 0
+  /// Of a law, up to where friction is f, over the bulk temperature: T*, in SI units in K; 0.
+  double friction_reference_temperature;
+  int32_t method;                 ///< enum thermoroll_method; auto
+  int32_t formulation;            ///< enum thermoroll_formulation; corrected
+  double tolerance;               ///< 1e-11 to 1e-2; 1e-6
+  int32_t nodes;                  ///< of the published scheme, 3 to 5000; 200
+  int32_t unused;                 ///< 0
+  double load, speed;             ///< P, N/m; V, m/s; 0 for a dimensionless scene, as the next
+  double half_width, radius;      ///< one of them: a of the contact, or R of the cylinder; m
+  double shear_modulus, poisson;  ///< of both bodies: mu, Pa; nu
+  double expansion, diffusivity, conductivity;        ///< alpha, 1/K; k, m^2/s; K, W/(m K)
+  double expansion_2, conductivity_2, diffusivity_2;  ///< of a conducting roller; k2 may be 0 for k
+  double bulk_temperature;                            ///< far away, degree C; NaN if it is unknown
+  double bulk_temperature_2;                          ///< of the roller, if it is another; else NaN
 };
 
 /// The results of a scene, or their estimated absolute errors; dimensionless.
@@ -92,8 +107,33 @@ struct thermoroll_values {
   double traction_limit, creep_at_traction_limit;  ///< of a prescribed traction with a law, or NaN
 };
 
+/// Results of a scene in SI units, or their estimated absolute errors. Temperatures but the last
+/// are rises over the bulk temperature.
+struct thermoroll_physical {
+  double half_width, radius;            ///< a; R; m
+  double creep_ratio;                   ///< xi, the creep as a fraction of the speed
+  double hertz_pressure, max_pressure;  ///< 2 P / (pi a); largest p; Pa
+  double max_traction;                  ///< largest q by size, Pa, negative when braking
+  double max_heat_flux;                 ///< W/m^2
+  double max_temperature_celsius;       ///< the largest rise of the surface, degree C
+  double half_width_over_radius;        ///< a / R
+  double dissipation;                   ///< power lost to friction per unit length, W/m
+  double tangential_load;               ///< Q, N/m, negative when braking
+  double max_temperature_at_m;          ///< x of the hottest point, m
+  double contact_temperature_celsius;   ///< bulk temperature and largest rise, or NaN; degree C
+};
+
+/// What one of each dimensionless number is in SI units.
+struct thermoroll_units {
+  double length;       ///< a, of s, m
+  double traction;     ///< P / a, of p* and q*, Pa
+  double slip;         ///< of v*, m/s
+  double heat_flux;    ///< of v* p*, W/m^2
+  double temperature;  ///< of T*, degree C
+};
+
 /// The answer to a scene. The values of a scene that failed are NaN; so are the errors of the
-/// published scheme, which has none.
+/// published scheme, which has none, and what is in SI units of a dimensionless scene.
 struct thermoroll_result {
   uint32_t size;     ///< sizeof(struct thermoroll_result), set by the caller in the first
   int32_t status;    ///< enum thermoroll_status
@@ -101,12 +141,26 @@ struct thermoroll_result {
   int32_t unknowns;  ///< of the last grid; 0 without one
   struct thermoroll_values value, error;
   char message[256];  ///< why it failed, or why this model was enough; ends with a zero
+  struct thermoroll_units unit;
+  struct thermoroll_physical physical, physical_error;
+  char notes[256];  ///< data that are beyond the model, such as a modulus in GPa; or empty
+};
+
+/// A point along the contact, which the surfaces enter at s = -1 and leave at s = 1.
+struct thermoroll_point {
+  uint32_t size;                    ///< sizeof(struct thermoroll_point), set in the first
+  int32_t status;                   ///< that of the scene
+  double s;                         ///< x / a, from -1 to 1
+  double pressure, traction;        ///< p*; q*, negative when braking
+  double slip, heat_flux;           ///< v*, negative when braking; v* p*
+  double temperature;               ///< T*, over the bulk temperature
+  double heat_flux_1, heat_flux_2;  ///< into the half-space; into the roller
 };
 
 /// The law of all creeps of a scene.
 struct thermoroll_law;
 
-/// How good a law is and where it ends.
+/// How good a law is and where it ends. Creeps are xi*, or in SI units fractions of the speed.
 struct thermoroll_law_info {
   uint32_t size;                    ///< sizeof(struct thermoroll_law_info), set by the caller
   int32_t status;                   ///< enum thermoroll_status
@@ -114,12 +168,14 @@ struct thermoroll_law_info {
   char message[256];                ///< why there is no law, or why it ends; or empty
 };
 
-/// A law at a creep; dimensionless. Beyond its end the numbers are NaN and the status is 2.
+/// A law at a creep; dimensionless, or of a scene in SI units with what follows "or". Beyond its
+/// end the numbers are NaN and the status is 2.
 struct thermoroll_law_value {
   uint32_t size;           ///< sizeof(struct thermoroll_law_value), set by the caller in the first
   int32_t status;          ///< 0 or 2
-  double traction, slope;  ///< Q*, with the sign of the creep; dQ*/dxi*, without an error
-  double max_temperature;  ///< the largest T*
+  double traction;         ///< Q*, or Q in N/m, with the sign of the creep
+  double slope;            ///< dQ*/dxi*, or dQ/dxi in N/m, without an error
+  double max_temperature;  ///< the largest T*, or rise in degree C
   double stick_slip_border;                                               ///< c0, -1 in full slip
   double traction_error, max_temperature_error, stick_slip_border_error;  ///< estimated, absolute
 };
@@ -141,16 +197,24 @@ THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
                                        struct thermoroll_result* results, size_t count,
                                        int threads);
 
+/// Solve a scene and evaluate its curves at `count` points from s = -1 to 1, 2 to 100000, which are
+/// dense at the edges and at the border. Returns the status of the scene, which its result has too;
+/// the points of a scene that failed are NaN. Returns 2, and writes nothing, if an array is null or
+/// has another size.
+THERMOROLL_EXPORT int thermoroll_profile(const struct thermoroll_scene* scene,
+                                         struct thermoroll_result* result,
+                                         struct thermoroll_point* points, size_t count);
+
 /// The law of a scene for both directions, to the tolerance of the scene, from 1e-7 to 1e-2; its
 /// prescribed quantity, direction, branch and method must be valid and make no difference. Full
-/// slip is computed up to creeps of the size reach > 0, which may be infinite. Null if there is
-/// none, and info tells why.
+/// slip is computed up to creeps of the size reach > 0, which may be infinite. A scene in SI units
+/// needs the half-width. Null if there is none, and info tells why.
 THERMOROLL_EXPORT struct thermoroll_law* thermoroll_law_new(const struct thermoroll_scene* scene,
                                                             double reach,
                                                             struct thermoroll_law_info* info);
 
-/// Evaluate a law at `count` creeps xi*. Returns 0, 4 if some are beyond its end, or 2 as
-/// thermoroll_solve() does. Several threads may evaluate a law at once.
+/// Evaluate a law at `count` creeps xi*, or of a scene in SI units xi. Returns 0, 4 if some are
+/// beyond its end, or 2 as thermoroll_solve() does. Several threads may evaluate a law at once.
 THERMOROLL_EXPORT int thermoroll_law_evaluate(const struct thermoroll_law* law,
                                               const double* creeps,
                                               struct thermoroll_law_value* values, size_t count);

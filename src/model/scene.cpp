@@ -42,7 +42,7 @@ Units units_of(const PhysicalScene& si, double friction) {
   const double slip = 2 * (1 - si.poisson) * traction / si.shear_modulus * si.speed;
   const double heat_flux = friction * slip * traction;
   const double temperature = heat_flux * si.half_width / si.conductivity;
-  return {traction, slip, heat_flux, temperature, si.half_width};
+  return {traction, slip, heat_flux, temperature, si.half_width, si.bulk_temperature};
 }
 
 void require(bool allowed, const std::string& name, double value, const std::string& range) {

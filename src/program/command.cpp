@@ -89,6 +89,27 @@ std::string key_meant(const CLI::App& command, const std::string& name) {
   return key.empty() ? "" : " (did you mean " + key + "?)";
 }
 
+bool is_replaced(const CLI::App& command, const std::string& name) {
+  const std::set<std::string> sizes{"half-width", "radius"};
+  const bool given = is_given_option(name);
+  if (!given && sizes.count(name) == 0) return false;
+  for (const CLI::Option* option : command.get_options())
+    if (const std::string other = option->get_name().substr(2);
+        other != name && option->count() > 0)
+      if (given ? is_given_option(other) : sizes.count(other) > 0) return true;
+  return false;
+}
+
+long lines_with(const std::string& key, const std::string& text) {
+  std::istringstream lines(text);
+  long count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = hyphenated(line.substr(0, line.find_first_of(" \t=")));
+    if (name == key && line.find('=') != std::string::npos) ++count;
+  }
+  return count;
+}
+
 /// Null if there is none of this name.
 const CLI::App* subcommand(const CLI::App& program, const std::string& name) {
   for (const CLI::App* command : program.get_subcommands({}))
@@ -101,7 +122,8 @@ class SceneFile : public CLI::ConfigBase {
   explicit SceneFile(const CLI::App& program) : program_(program) {}
 
   std::vector<CLI::ConfigItem> from_config(std::istream& in) const override {
-    std::istringstream text(read_all(in));
+    const std::string whole = read_all(in);
+    std::istringstream text(whole);
     if (program_.get_subcommands().empty()) return {};  // which is refused next
     const std::vector<std::string> here{program_.get_subcommands().front()->get_name()};
     std::vector<CLI::ConfigItem> known;
@@ -116,9 +138,13 @@ class SceneFile : public CLI::ConfigBase {
         throw std::invalid_argument("the scene file sets what is no option for it: " +
                                     (item.parents == here ? item.name : item.fullname()) +
                                     (command == nullptr ? "" : key_meant(*command, item.name)));
+      const std::size_t at = whole.find(item.name);
+      const bool bracketed = whole.find('[', at) < whole.find('\n', at);
+      if (item.inputs.size() > 1 && !bracketed && lines_with(item.name, whole) == 1)
+        item.inputs = {joined(item.inputs, " ")};
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
         throw std::invalid_argument("the scene file gives " + item.name + " more than once");
-      known.push_back(item);
+      if (!is_replaced(*command, item.name)) known.push_back(item);
     }
     return known;
   }
@@ -259,24 +285,39 @@ void run_law(const Options& o) {
   deliver({{law_text(law, c.scene, c.units, value_of(language_names, o.language)), o.output}});
 }
 
-double bound(const std::string& name, const Maybe& asked, double otherwise, const LawHalf& half) {
-  const double sign = otherwise < 0 ? -1 : 1;
-  if (!asked) return sign * std::min(std::abs(otherwise), half.last_creep);
-  if (*asked * sign > half.last_creep)
-    throw std::invalid_argument(name + " = " + shortest(*asked) + " is not allowed: it must be " +
-                                (sign > 0 ? "at most " : "at least ") +
-                                shortest(sign * half.last_creep) +
-                                ", where the curve ends: " + half.reason);
-  return *asked;
-}
+/// An end in the unit of its option, if it is given.
+struct CurveEnd {
+  std::string name;
+  double unit;  // xi* of one of it
+  Maybe asked;
+};
 
-Maybe end_of(const std::string& name, const Maybe& creep, const Maybe& ratio,
-             const std::optional<LawUnits>& units) {
-  if (!ratio) return creep;
+CurveEnd end_of(const std::string& name, const Maybe& creep, const Maybe& ratio,
+                const std::optional<LawUnits>& units) {
+  if (!ratio) return {name, 1, creep};
   if (creep)
     throw std::invalid_argument("--" + name + " and --" + name + "-ratio exclude each other");
   if (!units) throw std::invalid_argument("for data in SI units only: --" + name + "-ratio");
-  return *ratio / units->creep;
+  return {name + "-ratio", 1 / units->creep, ratio};
+}
+
+std::string rounded_towards_zero(double x) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%.4g", x * (1 - 5e-4));
+  return digits;
+}
+
+/// The end, or where the curve ends before if it is not given.
+double bound(const CurveEnd& end, double creep, const LawHalf& half) {
+  const double sign = creep < 0 ? -1 : 1;
+  if (!end.asked) return sign * std::min(std::abs(creep), half.last_creep);
+  if (creep * sign > half.last_creep)
+    throw std::invalid_argument(end.name + " = " + shortest(*end.asked) +
+                                " is not allowed: it must be " +
+                                (sign > 0 ? "at most about " : "at least about ") +
+                                rounded_towards_zero(sign * half.last_creep / end.unit) +
+                                ", where the curve ends: " + half.reason);
+  return creep;
 }
 
 void run_creep_curve(const Options& o) {
@@ -284,17 +325,18 @@ void run_creep_curve(const Options& o) {
   check(c.scene);
   require(2 <= o.points && o.points <= 100000, "points", o.points, "from 2 to 100000");
   const double far = 6 * c.scene.friction / pi;
-  const Maybe first_asked = end_of("from", o.from, o.from_ratio, c.units),
-              last_asked = end_of("to", o.to, o.to_ratio, c.units);
-  const double from = first_asked.value_or(-far), to = last_asked.value_or(far);
-  require(from < to, "from", from, "below --to, " + shortest(to));
+  const CurveEnd first_end = end_of("from", o.from, o.from_ratio, c.units),
+                 last_end = end_of("to", o.to, o.to_ratio, c.units);
+  const double from = first_end.asked ? *first_end.asked * first_end.unit : -far,
+               to = last_end.asked ? *last_end.asked * last_end.unit : far;
+  require(from < to, first_end.name, first_end.asked.value_or(from),
+          "below --" + last_end.name + ", " + shortest(last_end.asked.value_or(to)));
   const double reach = std::max(std::abs(from), std::abs(to));
   const CreepLaw law =
       creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), reach);
   const LawHalf &first = from < 0 ? law.braking : law.driving,
                 &last = to < 0 ? law.braking : law.driving;
-  const CurveRange range{bound("from", first_asked, from, first), bound("to", last_asked, to, last),
-                         o.points};
+  const CurveRange range{bound(first_end, from, first), bound(last_end, to, last), o.points};
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
 }
@@ -398,7 +440,10 @@ void add_solve(CLI::App& program, Options& o) {
   CLI::App& command = *program.add_subcommand("solve", "Solve one scene and print the result");
   add_scene_options(command, o.of_scene);
   add_format(command, o);
-  command.add_option("--profile", o.profile, "write s, p*, q*, v*, heat flux and T* to this file")
+  command
+      .add_option("--profile", o.profile,
+                  "write s, p*, q*, v*, heat flux and T* to this file; s from -1, where the "
+                  "surfaces enter the contact, to 1")
       ->type_name("FILE")
       ->check(file_name("profile"));
   command
@@ -415,7 +460,8 @@ void add_temperature(CLI::App& program, Options& o) {
   command
       .add_option(
           "--at", o.at,
-          "s: A:B:N (N points from A to B), a list A,B,..., a number; -1.5:4:551 unless given")
+          "s: A:B:N (N points from A to B), a list A,B,..., a number; -1.5:4:551 unless given; the "
+          "surfaces enter the contact at s = -1, leave it at 1 and cool behind it")
       ->type_name("POINTS");
   command.add_option("--depth", o.depth, "depths in units of a, as --at; 0 unless given")
       ->type_name("POINTS");
@@ -574,8 +620,9 @@ max(floor, 1 - theta) for the law linear, floor + (1 - floor) exp(-theta) for ex
 floor + (1 - floor) / (1 + theta) for rational and 1 + (floor - 1) min(theta, 1) for
 piecewise-linear, whose floor may be above 1; where theta < 0 it is f. For linear a negative
 --friction-temperature makes friction rise.
-Temperatures in degree C are rises above ambient, but contact_temperature_celsius, which is there
-where --bulk-temperature is given. Unless --roller says otherwise, all heat goes into
+Temperatures in degree C are rises over the bulk temperature, but contact_temperature_celsius and
+absolute_temperature_celsius, which are there where --bulk-temperature is given. The force Q in N/m
+is tangential_load everywhere, and traction is Q over the load. Unless --roller says otherwise, all heat goes into
 one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
@@ -602,7 +649,8 @@ constexpr const char* temperature_examples = R"(Examples:
 
 The columns are s, temperature (T*) and error_estimate (of T*, absolute; empty for gauss-chebyshev),
 with depth behind s where there are several. With data in SI units there are x_m, depth_m and
-temperature_celsius (the rise above ambient), each behind its own. Unless --roller says
+temperature_celsius (the rise over the bulk temperature), each behind its own; with
+--bulk-temperature also absolute_temperature_celsius, the sum of both. Unless --roller says
 otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* creep_curve_examples = R"(Examples:
@@ -612,8 +660,8 @@ constexpr const char* creep_curve_examples = R"(Examples:
 
 Without --from and --to, or --from-ratio and --to-ratio, the rows reach to three times the creep at which the contact slips without
 heat, or to the end of the curve. They are dense where it bends. With data in SI units there are
-columns for the creep as a fraction of the speed, its speed, N/m and degree C, which are rises over
-the bulk temperature. Unless --roller says otherwise, all heat goes into one body: two steel bodies
+columns for the creep as a fraction of the speed, its speed, the tangential load in N/m and degree C,
+which are rises over the bulk temperature. Unless --roller says otherwise, all heat goes into one body: two steel bodies
 (--roller identical) are about half as hot.)";
 
 constexpr const char* law_examples = R"(Examples:
@@ -734,7 +782,9 @@ Command read_command(const std::vector<std::string>& arguments) {
                                     " is for the whole program, not " + name);
       c = {"", {}, "", file};
       if (format == HelpFormat::man) c.text = manual_page(program, footers, version());
-      if (format == HelpFormat::bash) c.text = bash_completion(program);
+      if (format == HelpFormat::bash)
+        c.text = bash_completion(program, {{"--given", joined(given_names(), " ")},
+                                           {"--columns", joined(all_results(), " ")}});
       if (format == HelpFormat::text)
         c.text = read_command(name.empty() ? std::vector<std::string>{"--help"}
                                            : std::vector<std::string>{name, "--help"})

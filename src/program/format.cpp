@@ -32,7 +32,7 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"max_pressure", "max p", "Pa", &PhysicalResults::max_pressure},
     {"max_traction", "max q", "Pa", &PhysicalResults::max_traction},
     {"max_heat_flux", "max phi", "W/m^2", &PhysicalResults::max_heat_flux},
-    {"max_temperature_celsius", "Tmax", "degree C above ambient",
+    {"max_temperature_celsius", "Tmax", "degree C above bulk",
      &PhysicalResults::max_temperature_celsius},
     {"half_width_over_radius", "a/R", "", &PhysicalResults::half_width_over_radius},
     {"dissipation", "", "W/m", &PhysicalResults::dissipation},
@@ -266,6 +266,12 @@ std::string in_both(double value, const std::optional<Units>& units, double Unit
   return shortest(value) + ',' + (units ? shortest(value * (*units).*unit) + ',' : "");
 }
 
+/// The absolute temperature; none where the bulk temperature is not known.
+std::optional<double> absolute(double temperature, const std::optional<Units>& units) {
+  if (!units || !units->bulk_temperature) return std::nullopt;
+  return *units->bulk_temperature + temperature * units->temperature;
+}
+
 struct ProfileColumn {
   const char *name, *si_name;
   const Eigen::ArrayXd& values;
@@ -444,6 +450,7 @@ std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional
   std::string text = units ? "s,x_m," : "s,";
   if (deep) text += units ? "depth,depth_m," : "depth,";
   text += units ? "temperature,temperature_celsius," : "temperature,";
+  if (absolute(0, units)) text += "absolute_temperature_celsius,";
   text += "error_estimate\n";
   for (const auto& [depth, curve] : curves)
     for (const auto& [s, t, error] : curve.points) {
@@ -451,7 +458,9 @@ std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional
         throw NotConverged("no finite temperature found at s = " + shortest(s));
       text += in_both(s, units, &Units::length);
       if (deep) text += in_both(depth, units, &Units::length);
-      text += in_both(t, units, &Units::temperature) + (error ? shortest(*error) : "") + '\n';
+      text += in_both(t, units, &Units::temperature);
+      if (const auto whole = absolute(t, units)) text += shortest(*whole) + ',';
+      text += (error ? shortest(*error) : "") + '\n';
     }
   return text;
 }
@@ -471,10 +480,12 @@ std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   std::string text = units ? "s,x_m" : "s";
   for (const ProfileColumn& c : columns)
     text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");
+  if (absolute(0, units)) text += ",absolute_temperature_celsius";
   for (Eigen::Index i = 0; i < x.s.size(); ++i) {
     text += '\n' + shortest(x.s(i)) + (units ? ',' + shortest(x.s(i) * unit.length) : "");
     for (const ProfileColumn& c : columns)
       text += ',' + shortest(c.values(i)) + (units ? ',' + shortest(c.values(i) * c.unit) : "");
+    if (const auto whole = absolute(x.temperature(i), units)) text += ',' + shortest(*whole);
   }
   return text + '\n';
 }

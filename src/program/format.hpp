@@ -49,8 +49,9 @@ struct DepthCurve {
   Curve curve;
 };
 
-/// Temperature curves as CSV, with columns for m and degree C above ambient if the units are known,
-/// and for the depth if there are several. Throws NotConverged where a temperature is not finite.
+/// Temperature curves as CSV, with columns for m and degree C above the bulk if the units are
+/// known, and for the depth if there are several. Throws NotConverged where a temperature is not
+/// finite.
 std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional<Units>& units);
 
 /// A profile as CSV, with SI columns beside the dimensionless ones if the units are known.

@@ -132,7 +132,7 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   const double x = fmin(1, fmax(-1, per_z * (z - from_z[k]) - 1));
   double by_x, unused;
   const double q = series(traction_terms + 9 * k, x, &by_x);
-  const double t = series(temperature_terms + 9 * k, x, &unused);
+  const double t = fmax(0, series(temperature_terms + 9 * k, x, &unused));
   const int sticks = from_z[k] < 1;
   *traction = traction_unit * sign * q * (sticks ? size : 1);
   *slope = traction_unit / creep_unit *
@@ -175,7 +175,7 @@ def creep_law(creep):
     per_z = 2 / (to_z[k] - from_z[k])
     x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
     q, by_x = series(traction_terms[9 * k:9 * k + 9], x)
-    t, _ = series(temperature_terms[9 * k:9 * k + 9], x)
+    t = max(0.0, series(temperature_terms[9 * k:9 * k + 9], x)[0])
     if from_z[k] < 1:
         q, slope = size * q, q + z * per_z * by_x / 2
     else:
@@ -216,7 +216,7 @@ algorithm
       d := next;
     end for;
     q := x * b[1] - before[1] + traction_terms[9 * (k - 1) + 1];
-    t := x * b[2] - before[2] + temperature_terms[9 * (k - 1) + 1];
+    t := max(0, x * b[2] - before[2] + temperature_terms[9 * (k - 1) + 1]);
     by_x := b[1] + x * d[1] - d_before[1];
 )";
 
@@ -262,11 +262,6 @@ std::string in_json(const CreepLaw& law, const LawUnits& unit, const Scene& scen
 
 }  // namespace
 
-LawUnits law_units(const PhysicalScene& si, double friction) {
-  const Units unit = units_of(si, friction);
-  return {unit.slip / si.speed, si.load, unit.temperature, si.speed, si.bulk_temperature};
-}
-
 std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, double friction) {
   const auto [creep, way] = length_along(law, range, friction);
   std::vector<double> points;
@@ -285,7 +280,7 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
                             const std::optional<LawUnits>& units) {
   std::string text = "creep,traction,stick_slip_border,full_slip,max_temperature";
   const bool bulk = units && units->bulk_temperature;
-  if (units) text += ",creep_ratio,creep_speed_m_per_s,traction_n_per_m,max_temperature_celsius";
+  if (units) text += ",creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius";
   if (bulk) text += ",contact_temperature_celsius";
   text +=
       ",error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature\n";

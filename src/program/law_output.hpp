@@ -16,16 +16,6 @@ inline constexpr Name<Language> language_names[] = {{"c", Language::c},
                                                     {"modelica", Language::modelica},
                                                     {"json", Language::json}};
 
-/// The SI values of one xi*, Q* and T*: a fraction of the speed, N/m and degree C; V in m/s and the
-/// bulk temperature in degree C.
-struct LawUnits {
-  double creep = 1, traction = 1, temperature = 1;
-  double speed = 0;
-  std::optional<double> bulk_temperature{};
-};
-
-LawUnits law_units(const PhysicalScene& si, double friction);
-
 /// A law in a language, with its units where they are known.
 std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
                      Language language);

@@ -57,19 +57,21 @@ complete_thermoroll() {
     case " $commands " in *" $i "*) command=$i && break ;; esac
   done
   local words= files=
+  local list=
   case "$command $before" in
 )";
 
 constexpr const char* completion_end = R"(  esac
-  local IFS=$' \n'
-  COMPREPLY=($(compgen -W "$words" -- "$word"))
+  local IFS=$' \n' done=
+  [ -z "$list" ] || [ "${word%,*}" = "$word" ] || done=${word%,*},
+  COMPREPLY=($(compgen -P "$done" -W "$words" -- "${word#"$done"}"))
   [ -z "$files" ] || { IFS=$'\n' && COMPREPLY+=($(compgen -f -- "$word")); }
   [ -z "$files" ] || compopt -o filenames 2>/dev/null || :
 }
 complete -F complete_thermoroll thermoroll
 )";
 
-std::string after_options(const CLI::App& app, const std::string& name) {
+std::string after_options(const CLI::App& app, const std::string& name, const Words& more) {
   std::string cases;
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() || !takes_value(*option)) continue;
@@ -78,6 +80,10 @@ std::string after_options(const CLI::App& app, const std::string& name) {
     std::replace(type.begin(), type.end(), '|', ' ');
     if (is_word) follows = "words='" + type + '\'';
     if (type == "FILE") follows = "files=yes";
+    if (more.count(option->get_name()) > 0) {
+      follows = "words='" + more.at(option->get_name()) + "'";
+      if (type.find(',') != std::string::npos) follows += " list=yes";
+    }
     cases.append("  ").append(name).append(" ").append(option->get_name());
     cases.append("') ").append(follows).append(" ;;\n");
   }
@@ -114,16 +120,16 @@ std::string manual_page(const CLI::App& program, const Footers& footers,
   return page;
 }
 
-std::string bash_completion(const CLI::App& program) {
+std::string bash_completion(const CLI::App& program, const Words& more) {
   std::string all, options, others;
   for (const CLI::App* command : program.get_subcommands({})) all += command->get_name() + ' ';
   for (const CLI::App* command : program.get_subcommands({})) {
-    options += after_options(*command, '\'' + command->get_name());
+    options += after_options(*command, '\'' + command->get_name(), more);
     others += after_subcommand(*command, all);
   }
   std::string begin = completion_begin;
   begin.replace(begin.find("$commands"), 9, all);
-  return begin + after_options(program, "*'") + options + others + "  *) words='" + all +
+  return begin + after_options(program, "*'", more) + options + others + "  *) words='" + all +
          "--help --version --config' ;;\n" + completion_end;
 }
 

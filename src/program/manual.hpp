@@ -17,7 +17,10 @@ using Footers = std::map<std::string, const char*>;
 std::string manual_page(const CLI::App& program, const Footers& footers,
                         const std::string& version);
 
+/// The words that may follow an option, beside those that it declares, with blanks between them.
+using Words = std::map<std::string, std::string>;
+
 /// The completion of its subcommands, options and words, for bash.
-std::string bash_completion(const CLI::App& program);
+std::string bash_completion(const CLI::App& program, const Words& more);
 
 }  // namespace thermoroll

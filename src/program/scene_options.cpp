@@ -99,6 +99,13 @@ bool is_in(const SceneOption (&options)[n], const std::string& name) {
                      [&](const SceneOption& option) { return option.name == "--" + name; });
 }
 
+template <std::size_t n>
+std::vector<std::string> names_of(const SceneOption (&options)[n]) {
+  std::vector<std::string> names;
+  for (const SceneOption& option : options) names.emplace_back(option.name + 2);
+  return names;
+}
+
 void declare(CLI::App& command, SceneOptions& o, const SceneOption& option, const char* group) {
   command.add_option(option.name, o.*option.value, option.meaning)
       ->type_name(option.unit)
@@ -359,11 +366,9 @@ bool is_roller_option(const std::string& name) {
 
 bool is_given_option(const std::string& name) { return is_in(given_options, name); }
 
-std::vector<std::string> data_in_si_units() {
-  std::vector<std::string> names;
-  for (const SceneOption& option : si_options) names.emplace_back(option.name + 2);
-  return names;
-}
+std::vector<std::string> data_in_si_units() { return names_of(si_options); }
+
+std::vector<std::string> given_names() { return names_of(given_options); }
 
 std::string unit_of_option(const std::string& name) {
   SceneOptions none;
@@ -430,24 +435,8 @@ GivenScene read_scene(const SceneOptions& o) {
   if (o.creep_ratio) scene.unit = CreepUnit::ratio;
   if (o.creep_ratio || o.tangential_load)
     scene.as_given = std::string(option.name + 2) + " = " + shortest(*(o.*option.value));
+  if (o.tangential_load) scene.as_given += " over load = " + shortest(*o.load);
   return scene;
-}
-
-SolvedScene solve_scene(const GivenScene& c) try {
-  if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
-  PhysicalScene si = *c.physical;
-  const double friction = c.scene.friction;
-  if (c.radius)
-    si.half_width = half_width_of_radius(si, *c.radius, friction, c.given, c.approach, c.unit);
-  check(si);
-  const Prescribed given = dimensionless(si, c.given, c.unit);
-  const Solution x = solve(scene_of(si, friction), given, c.approach);
-  return {x, units_of(si, friction), in_si_units(x, si, c.radius.has_value(), c.unit)};
-} catch (const std::invalid_argument& refusal) {
-  const std::string text = refusal.what();
-  const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
-  if (c.as_given.empty() || !about_it) throw;
-  throw std::invalid_argument(c.as_given + ": " + text);
 }
 
 CLI::Validator finite_number(const std::string& name, const std::string& unit) {

@@ -45,36 +45,15 @@ bool is_group_option(const std::string& name);
 bool is_roller_option(const std::string& name);
 bool is_given_option(const std::string& name);
 
-/// The options that every scene in SI units has, without their hyphens.
+/// The options that every scene in SI units has, and those that prescribe, without their hyphens.
 std::vector<std::string> data_in_si_units();
+std::vector<std::string> given_names();
 
 /// The unit of an option that is a number, "1" if it has none; empty if there is no such option.
 std::string unit_of_option(const std::string& name);
 
-/// The scene as given. In SI units, peclet and heating are not known yet, and half_width is not if
-/// a radius is given. Its traction counts only if that is given.
-struct GivenScene {
-  Scene scene;
-  Prescribed given;
-  Approach approach;
-  std::optional<PhysicalScene> physical;
-  Maybe radius;
-  CreepUnit unit = CreepUnit::scaled;
-  std::string as_given{};  ///< of a quantity that is given in SI units, "tangential-load = 6e+06"
-};
-
 /// The scene that the options describe. Throws std::invalid_argument.
 GivenScene read_scene(const SceneOptions& o);
-
-/// A solution and, where the scene was given in SI units, these units and the results in them.
-struct SolvedScene {
-  Solution solution;
-  std::optional<Units> units;
-  std::optional<FoundInSi> physical;
-};
-
-/// Solve a scene; throws as solve() and half_width_of_radius() do.
-SolvedScene solve_scene(const GivenScene& c);
 
 /// The number that a text is as a whole, if it is finite.
 std::optional<double> to_number(const std::string& text);

@@ -54,12 +54,6 @@ std::vector<std::string> names_of(const std::vector<Field>& fields) {
   return names;
 }
 
-const std::vector<std::string>& all_results() {
-  static const std::vector<std::string> names =
-      names_of(csv_fields(Solution{}, FoundInSi{}, {true, true, true}));
-  return names;
-}
-
 struct RowOptions {
   RowOptions() { add_scene_options(row, values); }
   SceneOptions values;
@@ -306,6 +300,12 @@ bool has_failed(const SweepTable& t, const std::string& row) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& all_results() {
+  static const std::vector<std::string> names =
+      names_of(csv_fields(Solution{}, FoundInSi{}, {true, true, true}));
+  return names;
+}
 
 void read_cells(const std::string& line, std::vector<std::string>& cells) {
   for (std::size_t at = 0; at != std::string::npos;) {

@@ -65,6 +65,9 @@ struct RowsSoFar {
   std::string last{};  ///< the last whole row
 };
 
+/// The names of all results that a row may have.
+const std::vector<std::string>& all_results();
+
 /// The columns of a table with this header. Throws std::invalid_argument.
 SweepTable table_of(const std::string& header, const TableOptions& how);
 

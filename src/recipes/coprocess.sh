@@ -1,8 +1,11 @@
 # Tangled from paper/L-recipes.md; edit there.
-coproc thermoroll sweep --peclet 100 --heating 1 --columns creep,max_temperature
+mkfifo rows answers
+thermoroll sweep --peclet 100 --heating 1 --columns creep,max_temperature <rows >answers &
+exec 3>rows 4<answers
+rm rows answers
 ask() {
-  echo "$1" >&"${COPROC[1]}"
-  read -r answer <&"${COPROC[0]}"
+  echo "$1" >&3
+  read -r answer <&4
   echo "$answer"
 }
 ask friction,traction

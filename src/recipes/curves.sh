@@ -4,5 +4,5 @@ for speed in 20 40 80; do
 done
 awk -F, 'NR == 1 { print "speed,creep_percent,force_kn,celsius"; for (i = 1; i <= NF; ++i) at[$i] = i }
   FNR > 1 { printf "%d,%.10g,%.10g,%.10g\n", FILENAME, 100 * $at["creep_ratio"], \
-    $at["traction_n_per_m"] * 0.009 / 1000, $at["contact_temperature_celsius"] }' \
+    $at["tangential_load"] * 0.009 / 1000, $at["contact_temperature_celsius"] }' \
   20.csv 40.csv 80.csv >curves.csv

@@ -120,6 +120,9 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
       return {};
     }
   }
+  if (level.newton_steps == 0 && std::min(tried.at.slip, tried.at.stick) < 1e-13)
+    throw std::runtime_error(
+        "coupled: the border is within 1e-13 of an end of the contact, too near to resolve");
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
                              shortest(tried.at.c0()));
@@ -242,7 +245,8 @@ Results carter_values(const Carter& c) {
 Results carter_slope(const Carter& c, Quantity by) {
   const double step = 1e-3 * std::min(c.b, c.slip_half_width), half = c.slip_half_width - step;
   const Carter moved{c.friction, c.b + step, half, c.c0 + 2 * step, 2 * c.friction / pi * half};
-  const Results change = carter_values(moved) - carter_values(c);
+  Results change = carter_values(moved) - carter_values(c);
+  if (c.b < 1e-6) change(traction) = -c.friction * step * (2 * c.b + step);
   return change / change(by);
 }
 

@@ -312,14 +312,19 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
   const LawPiece& piece = half.pieces[k];
   const double per_z = 2 / (piece.to - piece.from);
   const double x = std::clamp(per_z * (z - piece.from) - 1, -1.0, 1.0);
-  const SeriesValue q = clenshaw(piece.traction, x), t = clenshaw(piece.temperature, x);
+  const SeriesValue q = clenshaw(piece.traction, x);
+  const double rise = std::max(0.0, clenshaw(piece.temperature, x).value);
   if (slips_partially(piece)) {
     const double slip_length = z * z * clenshaw(piece.slip_length, x).value;
-    return LawValue{sign * size * q.value, q.value + z * per_z * q.slope / 2, t.value,
+    return LawValue{sign * size * q.value, q.value + z * per_z * q.slope / 2, rise,
                     1 - slip_length};
   }
-  return LawValue{sign * q.value, unit / (size * size) * per_z * q.slope, t.value * size / unit,
-                  -1};
+  return LawValue{sign * q.value, unit / (size * size) * per_z * q.slope, rise * size / unit, -1};
+}
+
+LawUnits law_units(const PhysicalScene& si, double friction) {
+  const Units unit = units_of(si, friction);
+  return {unit.slip / si.speed, si.load, unit.temperature, si.speed, si.bulk_temperature};
 }
 
 }  // namespace thermoroll

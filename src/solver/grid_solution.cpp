@@ -150,8 +150,10 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
       continue;
     }
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
-    if (moved != 0) slope = (level.value - last.value) / moved;
-    const double room = std::min(at.slip, at.stick), near = 1e-3 * room;
+    const double by_rounding = 4e-15 * std::abs(given.value);
+    if (std::abs(moved) > by_rounding) slope = (level.value - last.value) / moved;
+    const double room = std::min(at.slip, at.stick);
+    const double near = std::max(1e-3 * room, std::abs(slope(stick_slip_border)) * by_rounding);
     double step = slope(stick_slip_border) * residual(level, given);
     if (k > 0 && std::abs(step) <= near) return level;
     if (std::abs(step) < near) step = near;             // a second border, for the derivative

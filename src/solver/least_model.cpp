@@ -169,6 +169,7 @@ const char* why_coupled(const Scene& scene, const Prescribed& given) {
 }
 
 std::string brief(double x) {
+  if (!std::isfinite(x)) return "an unknown part";
   char text[32];
   std::snprintf(text, sizeof text, "%.1e", x);
   return text;

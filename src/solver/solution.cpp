@@ -84,6 +84,9 @@ void check_with_sign(const Scene& scene, const Prescribed& given) {
   const std::string range = "between -" + shortest(friction) + " and " + shortest(friction);
   if (given.quantity == traction && !scene.law)
     require(std::abs(x) <= friction, "traction", x, range + ", the friction");
+  if (given.quantity != stick_slip_border && x != 0)
+    require(!(std::abs(x) < 1e-150), given.quantity == traction ? "traction" : "creep", x,
+            "0 or at least 1e-150 in size");
 }
 
 void check_tolerance(double tolerance) {
@@ -454,6 +457,23 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
     if (std::abs(kappa - before) <= 1e-9 * before + error) return si.half_width;
   }
   throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
+}
+
+SolvedScene solve_scene(const GivenScene& c) try {
+  if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
+  PhysicalScene si = *c.physical;
+  const double friction = c.scene.friction;
+  if (c.radius)
+    si.half_width = half_width_of_radius(si, *c.radius, friction, c.given, c.approach, c.unit);
+  check(si);
+  const Prescribed given = dimensionless(si, c.given, c.unit);
+  const Solution x = solve(scene_of(si, friction), given, c.approach);
+  return {x, units_of(si, friction), in_si_units(x, si, c.radius.has_value(), c.unit)};
+} catch (const std::invalid_argument& refusal) {
+  const std::string text = refusal.what();
+  const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
+  if (c.as_given.empty() || !about_it) throw;
+  throw std::invalid_argument(c.as_given + ": " + text);
 }
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {

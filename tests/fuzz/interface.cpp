@@ -1,6 +1,7 @@
-// The C functions: the bytes of one scene or more, after a byte for the number of threads. Those
-// that ask for a known method are solved by the closed form, for the sake of speed; the coupled
-// solver has a target of its own.
+// The C functions for scenes: the bytes of one scene or more, after a byte for the number of
+// threads. Those that ask for a known method are solved by the closed form, for the sake of speed;
+// the coupled solver has a target of its own.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -18,13 +19,39 @@ bool all_finite(const thermoroll_values& x) {
   return true;
 }
 
-void examine(const thermoroll_result& x) {
+bool are_finite(const double* numbers, std::size_t count) {
+  return std::all_of(numbers, numbers + count, [](double x) { return std::isfinite(x); });
+}
+
+// What is in SI units is all there, but for the absolute temperature, or nothing is.
+void examine_si(const thermoroll_result& x, bool in_si) {
+  constexpr std::size_t count = sizeof x.physical / sizeof(double) - 1;
+  if (std::memchr(x.notes, 0, sizeof x.notes) == nullptr) fuzz::fail("notes without an end");
+  for (const thermoroll_physical* of : {&x.physical, &x.physical_error})
+    if (are_finite(&of->half_width, count) != in_si) fuzz::fail("not finite, or not NaN, in SI");
+  if (are_finite(&x.unit.length, sizeof x.unit / sizeof(double)) != in_si) fuzz::fail("units");
+}
+
+void examine(const thermoroll_scene& scene, const thermoroll_result& x) {
   if (x.status < THERMOROLL_DONE || x.status > THERMOROLL_NO_CONTACT) fuzz::fail("unknown status");
   if (std::memchr(x.message, 0, sizeof x.message) == nullptr)
     fuzz::fail("a message without an end");
   const bool done = x.status == THERMOROLL_DONE;
   if (!done && x.message[0] == '\0') fuzz::fail("an error without a word");
   if (done != (all_finite(x.value) && all_finite(x.error))) fuzz::fail("not finite, or not NaN");
+  examine_si(x, done && scene.load != 0);
+}
+
+// The profile of a scene is there if its answer is, and the answer is the same.
+void examine_profile(const thermoroll_scene& scene, const thermoroll_result& told) {
+  thermoroll_result result{};
+  thermoroll_point points[5]{};
+  result.size = sizeof result;
+  points[0].size = sizeof points[0];
+  const int status = thermoroll_profile(&scene, &result, points, 5);
+  if (status != told.status) fuzz::fail("another status of the profile");
+  for (const thermoroll_point& point : points)
+    if (are_finite(&point.s, 8) != (status == THERMOROLL_DONE)) fuzz::fail("a point");
 }
 
 }  // namespace
@@ -41,10 +68,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const int status = thermoroll_solve(scenes.data(), results.data(), scenes.size(), data[0] % 4);
   if (status == THERMOROLL_REFUSED) return 0;
   bool all = true;
-  for (const thermoroll_result& x : results) {
-    examine(x);
-    all = all && x.status == THERMOROLL_DONE;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    examine(scenes[k], results[k]);
+    all = all && results[k].status == THERMOROLL_DONE;
   }
+  examine_profile(scenes[0], results[0]);
   if (status != (all ? THERMOROLL_DONE : THERMOROLL_ROWS_FAILED)) fuzz::fail("another sum of all");
   return 0;
 }

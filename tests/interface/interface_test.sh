@@ -22,7 +22,7 @@ ShowsItsFunctionsOnly() {
   nm -D --defined-only "$library" | awk '{ print $2, $3 }' | sort >"$work/shown"
   sed -nE 's/^THERMOROLL_EXPORT .*[ *](thermoroll_\w+)\(.*/T \1/p' src/include/thermoroll.h | sort >"$work/declared"
   diff "$work/declared" "$work/shown" || fail "other symbols are shown"
-  [ "$(wc -l <"$work/shown")" = 7 ] || fail "not seven functions"
+  [ "$(wc -l <"$work/shown")" = 8 ] || fail "not eight functions"
   readelf -d "$library" | grep -q 'SONAME.*\[libthermoroll_c\.so\.0\]' || fail "another soname"
 }
 
@@ -30,7 +30,7 @@ ShowsItsFunctionsOnly() {
 StructuresAreTheSame() {
   python3 tests/interface/structures.py c src/include/thermoroll.h >"$work/c"
   python3 tests/interface/structures.py fortran src/include/thermoroll.f90 | diff "$work/c" - || fail "Fortran differs"
-  [ "$(grep -c '^scene ' "$work/c") $(grep -c '^values ' "$work/c") $(grep -c '^word ' "$work/c")" = '22 15 32' ] ||
+  [ "$(grep -c '^scene ' "$work/c") $(grep -c '^values ' "$work/c") $(grep -c '^word ' "$work/c")" = '36 15 34' ] ||
     fail "not all were found: $(cut -d' ' -f1 "$work/c" | uniq -c)"
   grep -vE '^word .*(model|done|failed|refused|not_converged|no_contact)' "$work/c" | sort >"$work/of-python"
   python3 tests/interface/structures.py python src/python/thermoroll/__init__.py | sort | diff "$work/of-python" - ||
@@ -66,6 +66,8 @@ program all
   use thermoroll
   implicit none
   type(thermoroll_scene) :: scene
+  type(thermoroll_result) :: result
+  type(thermoroll_point) :: points(3)
   type(thermoroll_law_info) :: info
   type(thermoroll_law_value) :: values(2)
   character(kind=c_char), pointer :: text(:)
@@ -83,6 +85,13 @@ program all
   if (thermoroll_law_evaluate(law, [0.1d0, 5d0], values, 2_c_size_t) /= thermoroll_rows_failed) stop 2
   if (abs(values(1)%traction - 0.273335d0) > values(1)%traction_error .or. values(2)%status /= 2) stop 3
   call thermoroll_law_free(law)
+  scene%quantity = thermoroll_creep
+  scene%given = 0.1d0
+  result%size = int(c_sizeof(result))
+  points(1)%size = int(c_sizeof(points(1)))
+  if (thermoroll_profile(scene, result, points, 3_c_size_t) /= 0 .or. points(3)%status /= 0) stop 6
+  if (points(1)%s /= -1 .or. points(3)%s /= 1 .or. points(2)%traction <= 0) stop 7
+  if (abs(result%value%traction - 0.273335d0) > 1d-3) stop 8
   call c_f_pointer(thermoroll_message(0), text, [4])
   if (text(1) // text(2) // text(3) // text(4) /= 'done') stop 4
   call c_f_pointer(thermoroll_version(), text, [2])

@@ -58,6 +58,125 @@ def SameAsTheProgram(program):
                 assert not error or getattr(found.errors, name) == float(error), (row, name)
 
 
+wheel = {"friction": 0.35, "load": 1.2e7, "speed": 40.0, "half_width": 7.8e-3, "shear_modulus": 8.1e10, "poisson": 0.3,
+         "expansion": 1.1e-5, "diffusivity": 1.4e-5, "conductivity": 50.0}
+falling = {"friction_law": "exponential", "friction_temperature": 400.0, "friction_floor": 0.4, "bulk_temperature": 20.0}
+metals = {"roller": "conducting", "expansion_2": 1.6e-5, "conductivity_2": 20.0}
+by_radius = {name: x for name, x in wheel.items() if name != "half_width"}
+wheels = [
+    {**wheel, "creep_ratio": 0.002},
+    {**wheel, "tangential_load": -3e6, "roller": "identical"},
+    {**by_radius, "radius": 0.46, "traction": 0.2},
+    {**by_radius, "radius": 0.46, "creep_ratio": 0.001, "bulk_temperature": -10.0},
+    {**wheel, **falling, "creep_ratio": 0.01, "roller": "identical"},
+    {**wheel, **falling, "creep_ratio": 0.01, "tolerance": 1e-3, "friction_reference_temperature": 60.0},
+    {**wheel, **metals, "creep": 0.1},
+    {**wheel, **metals, "diffusivity_2": 5e-6, "stick_slip_border": 0.3, "direction": "braking"},
+    {**wheel, "roller": "identical", "creep": 0.3, "bulk_temperature": 20.0, "bulk_temperature_2": 21.0},
+    {**wheel, "traction": 0.2, "method": "gauss-chebyshev", "nodes": 60},
+    {**wheel, "shear_modulus": 81.0, "traction": 0.3},
+    {**wheel, "tangential_load": 5e6},
+]
+
+
+def options(scene):
+    return [part for name, x in scene.items() for part in ("--" + name.replace("_", "-"), str(x))]
+
+
+def SameAsTheProgramInSiUnits(program):
+    """The results of the command line in SI units with their errors, to the last bit; and its notes."""
+    for row in wheels:
+        answer = subprocess.run([program, "solve", "--format", "csv", *options(row)], capture_output=True, text=True)
+        found = thermoroll.solve(**row)
+        assert found.status == answer.returncode, (row, answer.stderr, found.messages)
+        if answer.returncode != 0:
+            assert row is wheels[-1] and "tangential_load = 5e+06: traction = " in found.messages and np.isnan(found.physical.radius)
+            continue
+        expected = next(csv.DictReader(io.StringIO(answer.stdout)))
+        for name in vars(found.physical):
+            value, error = getattr(found.physical, name), getattr(found.physical_errors, name)
+            cell, told = expected.get("physical." + name), expected.get("physical.error_estimate." + name)
+            assert value == float(cell) if cell else np.isnan(value) and name[:7] == "contact", (row, name, value, cell)
+            assert error == float(told) if told else np.isnan(error), (row, name, error, told)
+        assert found.notes.count(" is above ") == expected["notes"].count(" is above "), found.notes
+        assert (found.notes != "") == (row["shear_modulus"] == 81)
+        np.testing.assert_array_equal(
+            [found.creep, found.errors.creep], [float(expected["creep"]), float(expected["error_estimate.creep"] or "nan")])
+    some = [x for x in wheels if set(x) == set(wheel) | {"creep_ratio"}] * 2
+    table = {name: [x[name] for x in some] for name in some[0]}
+    assert thermoroll.solve(**table).physical.tangential_load.shape == (2,)
+    assert thermoroll.solve(**steel, traction=0.1).physical is None and thermoroll.solve(**steel, traction=0.1).notes == ""
+
+
+def ProfileIsThatOfTheProgram(program):
+    """All columns of solve --profile; those in units to the rounding of a product."""
+    import tempfile
+
+    for scene in ({**steel, "traction": 0.5}, wheels[1], wheels[4], wheels[7]):
+        with tempfile.NamedTemporaryFile("r") as file:
+            command = [program, "solve", *options(scene), "--profile", file.name + ".csv", "--profile-points", "21"]
+            subprocess.run(command, capture_output=True, check=True)
+            expected = np.genfromtxt(file.name + ".csv", delimiter=",", names=True)
+            __import__("os").unlink(file.name + ".csv")
+        found = thermoroll.profile(**scene, points=21)
+        for name in expected.dtype.names:
+            np.testing.assert_allclose(getattr(found, name), expected[name], rtol=4e-16, err_msg=name)
+        assert ("x_m" in expected.dtype.names) == (found.x_m is not None) == ("load" in scene)
+        assert found.solution.traction == thermoroll.solve(**scene).traction
+        if scene.get("roller", "insulated") == "insulated":
+            assert (found.heat_flux_1 == found.heat_flux).all() and (found.heat_flux_2 == 0).all()
+        if "bulk_temperature" in scene:
+            assert (found.absolute_temperature_celsius == 20 + found.temperature_celsius).all()
+        else:
+            assert found.absolute_temperature_celsius is None
+    assert thermoroll.profile(**steel, traction=0.5).s.shape == (401,)
+
+
+def ProfilesThatAreNot():
+    raises(ValueError, "friction = -1 is not allowed: it must be positive", thermoroll.profile, friction=-1, traction=0.1, peclet=1)
+    raises(ValueError, "single numbers", thermoroll.profile, **steel, traction=[0.1, 0.2])
+    raises(TypeError, "frction", thermoroll.profile, frction=0.6, friction=0.6, traction=0.1, peclet=1)
+    raises(TypeError, "threads", thermoroll.profile, **steel, traction=0.1, threads=1)
+    raises(RuntimeError, "no solution found", thermoroll.profile, friction=0.6, traction=0.5, peclet=100, heating=1e6)
+    for points in (1, 100001, -1):
+        raises(ValueError, "points must be from 2 to 100000", thermoroll.profile, **steel, traction=0.1, points=points)
+
+
+def SiDataAreWhole():
+    """What is missing is named at once; the reference temperature is absolute, as on the command line."""
+    raises(TypeError, "peclet is needed, or data in SI units", thermoroll.solve, friction=0.6, traction=0.1)
+    raises(TypeError, "load is for data in SI units, which lack speed, shear_modulus", thermoroll.solve, friction=0.6, traction=0.1, load=1e7)
+    raises(TypeError, "creep_ratio is for data in SI units, which lack load", thermoroll.solve, friction=0.6, creep_ratio=0.1, peclet=3)
+    hot = {**wheel, "creep_ratio": 0.01, "friction_law": "linear", "friction_temperature": 400.0}
+    raises(TypeError, "needs bulk_temperature", thermoroll.solve, **hot, friction_reference_temperature=50.0)
+    assert "are not for data in SI units" in thermoroll.solve(**wheel, traction=0.1, peclet=3).messages
+    assert "either half_width or radius" in thermoroll.solve(**wheel, traction=0.1, radius=0.46).messages
+
+
+def RefusesWhatIsNoNumber():
+    """Texts, complex numbers, objects, truth values and times are mistakes, in words too."""
+    for x, kind in ((0.1j, "complex128"), ("0.1", "str_"), ([None, 0.1], "object_"), (True, "bool_"), (np.datetime64(3, "s"), "datetime64")):
+        raises(TypeError, f"traction must be real numbers, not {kind}", thermoroll.solve, **steel, traction=x)
+        raises(TypeError, f"creep must be real numbers, not {kind}", thermoroll.law(friction=0.6, peclet=1), x)
+    raises(TypeError, "nodes must be whole numbers, not float64", thermoroll.solve, **steel, traction=0.1, nodes=20.0)
+    raises(ValueError, "roller must be one of", thermoroll.solve, **steel, traction=0.1, roller=1.0)
+    found = thermoroll.solve(friction=np.float32(0.5), traction=np.int8(0), peclet=np.array([3], dtype=np.uint64), roller=np.array(["identical"], object))
+    assert (found.status == 0).all() and found.traction == 0
+
+
+def LawInSiUnits():
+    """The law of a wheel takes creep ratios and gives N/m and degree C, as solve() does."""
+    scene = {**wheel, **falling, "roller": "identical"}
+    values, found = thermoroll.law(**scene, reach=0.02)(0.01), thermoroll.solve(**scene, creep_ratio=0.01)
+    near = abs(values.traction - found.physical.tangential_load)
+    assert near <= values.traction_error + found.physical_errors.tangential_load, near
+    near = abs(values.max_temperature - found.physical.max_temperature_celsius)
+    assert near <= values.max_temperature_error + found.physical_errors.max_temperature_celsius, near
+    radius = {name: x for name, x in scene.items() if name != "half_width"}
+    raises(TypeError, "radius", thermoroll.law, **radius, radius=0.46)
+    raises(ValueError, "either half_width or radius", thermoroll.law, **radius)
+
+
 def Broadcasts():
     traction, peclet = np.array([[0.1], [0.4], [0.7]]), np.array([10.0, 1000.0])
     roller = np.array([["identical", "insulated"]])
@@ -90,7 +209,7 @@ def Scalars():
 def RefusesWhatIsNoWord():
     raises(ValueError, "roller must be one of insulated, identical, conducting", thermoroll.solve, **steel, traction=0.1, roller="steel")
     raises(ValueError, "method must be one of", thermoroll.solve, **steel, traction=0.1, method=["auto", "closed_form"])
-    raises(TypeError, "exactly one of traction, creep and stick_slip_border", thermoroll.solve, **steel)
+    raises(TypeError, "exactly one of traction, creep and stick_slip_border is needed", thermoroll.solve, **steel)
     raises(TypeError, "exactly one of", thermoroll.solve, **steel, traction=0.1, creep=0.1)
     raises(TypeError, "nodes must be whole numbers", thermoroll.solve, **steel, traction=0.1, nodes=20.5)
     raises(ValueError, "threads must be from 0", thermoroll.solve, **steel, traction=0.1, threads=-1)

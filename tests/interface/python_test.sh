@@ -22,6 +22,12 @@ code() { awk '$0 == "``` python" { on = 1; next } /^```/ { on = 0 } on' "$1"; }
 # Each is the function of this name in python_test.py.
 run() { with_module "$python" tests/interface/python_test.py "$@" || fail "$1"; }
 SameAsTheProgram() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
+SameAsTheProgramInSiUnits() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
+ProfileIsThatOfTheProgram() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
+ProfilesThatAreNot() { run "${FUNCNAME[0]}"; }
+SiDataAreWhole() { run "${FUNCNAME[0]}"; }
+RefusesWhatIsNoNumber() { run "${FUNCNAME[0]}"; }
+LawInSiUnits() { run "${FUNCNAME[0]}"; }
 Broadcasts() { run "${FUNCNAME[0]}"; }
 Scalars() { run "${FUNCNAME[0]}"; }
 RefusesWhatIsNoWord() { run "${FUNCNAME[0]}"; }

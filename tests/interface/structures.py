@@ -41,7 +41,7 @@ def python(text):
         models = re.search(r"^_models = \((.*)\)", text, re.M)[1]
         names = names.replace("*_models", models).replace('"', "").replace("-", "_")
         yield from numbered(names)
-    for name, body in re.findall(r"^_(scene|values|result|law_info|law_value) = (.*?)(?=^_|^\n)", text, re.S | re.M):
+    for name, body in re.findall(r"^_(scene|values|units|physical|result|point|law_info|law_value) = (.*?)(?=^_|^\n)", text, re.S | re.M):
         for line in re.findall(r'"((?:\w+ \w+, )*\w+ \w+)"', body):
             for member in line.split(", "):
                 label, kind = member.split()

@@ -78,13 +78,15 @@ std::vector<thermoroll_result> solved(const std::vector<thermoroll_scene>& scene
 
 thermoroll_result answer(const thermoroll_scene& scene) { return solved({scene})[0]; }
 
-std::vector<double> numbers(const thermoroll_values& of) {
+template <class Numbers>
+std::vector<double> numbers(const Numbers& of) {
   std::vector<double> all(sizeof of / sizeof(double));
   std::memcpy(all.data(), &of, sizeof of);
   return all;
 }
 
-void expect_nan(const thermoroll_values& values) {
+template <class Numbers>
+void expect_nan(const Numbers& values) {
   for (const double x : numbers(values)) EXPECT_TRUE(std::isnan(x)) << x;
 }
 
@@ -133,14 +135,20 @@ std::vector<Pair> pairs() {
 
 // The bytes of members are the binary interface: they may be appended to and never moved.
 TEST(Interface, StructuresAreFixed) {
-  EXPECT_EQ(sizeof(thermoroll_scene), 136U);
+  EXPECT_EQ(sizeof(thermoroll_scene), 248U);
+  EXPECT_EQ(offsetof(thermoroll_scene, load), 136U);
+  EXPECT_EQ(offsetof(thermoroll_scene, bulk_temperature_2), 240U);
   EXPECT_EQ(offsetof(thermoroll_scene, given), 8U);
   EXPECT_EQ(offsetof(thermoroll_scene, conductivity_ratio), 48U);
   EXPECT_EQ(offsetof(thermoroll_scene, friction_temperature), 88U);
   EXPECT_EQ(offsetof(thermoroll_scene, tolerance), 120U);
   EXPECT_EQ(sizeof(thermoroll_values), 15 * sizeof(double));
   EXPECT_EQ(offsetof(thermoroll_values, max_temperature), 64U);
-  EXPECT_EQ(sizeof(thermoroll_result), 512U);
+  EXPECT_EQ(sizeof(thermoroll_physical), 13 * sizeof(double));
+  EXPECT_EQ(sizeof(thermoroll_result), 1016U);
+  EXPECT_EQ(offsetof(thermoroll_result, unit), 512U);
+  EXPECT_EQ(offsetof(thermoroll_result, notes), 760U);
+  EXPECT_EQ(sizeof(thermoroll_point), 72U);
   EXPECT_EQ(offsetof(thermoroll_result, value), 16U);
   EXPECT_EQ(offsetof(thermoroll_result, error), 136U);
   EXPECT_EQ(offsetof(thermoroll_result, message), 256U);
@@ -148,6 +156,7 @@ TEST(Interface, StructuresAreFixed) {
   EXPECT_EQ(offsetof(thermoroll_law_info, message), 24U);
   EXPECT_EQ(sizeof(thermoroll_law_value), 64U);
   EXPECT_EQ(offsetof(thermoroll_law_value, traction), 8U);
+  EXPECT_EQ(THERMOROLL_TANGENTIAL_LOAD, 4);
   EXPECT_EQ(THERMOROLL_PIECEWISE_LINEAR, 4);
   EXPECT_EQ(THERMOROLL_GAUSS_CHEBYSHEV, 4);
   EXPECT_EQ(THERMOROLL_MODEL_COUPLED, 2);
@@ -223,6 +232,10 @@ TEST(Interface, FailedRowsAreNaN) {
   for (std::size_t k = 1; k < 5; ++k) {
     expect_nan(rows[k].value);
     expect_nan(rows[k].error);
+    expect_nan(rows[k].physical);
+    expect_nan(rows[k].physical_error);
+    expect_nan(rows[k].unit);
+    EXPECT_STREQ(rows[k].notes, "");
     EXPECT_EQ(rows[k].model, THERMOROLL_NO_MODEL);
     EXPECT_EQ(rows[k].unknowns, 0);
     EXPECT_GT(std::strlen(rows[k].message), 10U);
@@ -369,6 +382,261 @@ TEST(Interface, RefusesWhatHasNoEffect) {
   expect_effect(creep, &S::branch, THERMOROLL_FALLING, "branch = falling is for a given traction");
 }
 
+// The wheel of the recipes: at a creep of one per cent, its friction falls as it warms up.
+thermoroll_scene wheel() {
+  thermoroll_scene x;
+  thermoroll_scene_init(&x, sizeof x);
+  x.quantity = THERMOROLL_CREEP_RATIO;
+  x.given = 0.01;
+  x.friction = 0.35;
+  x.roller = THERMOROLL_IDENTICAL;
+  x.friction_law = THERMOROLL_EXPONENTIAL;
+  x.friction_temperature = 400;
+  x.friction_floor = 0.4;
+  x.load = 1.2e7;
+  x.speed = 40;
+  x.half_width = 7.8e-3;
+  x.shear_modulus = 8.1e10;
+  x.poisson = 0.3;
+  x.expansion = 1.1e-5;
+  x.diffusivity = 1.4e-5;
+  x.conductivity = 50;
+  x.bulk_temperature = 20;
+  return x;
+}
+
+thermoroll_scene wheel_of_two_metals() {
+  thermoroll_scene x = wheel();
+  x.roller = THERMOROLL_CONDUCTING;
+  x.expansion_2 = 1.6e-5;
+  x.conductivity_2 = 20;
+  x.diffusivity_2 = 5e-6;
+  return x;
+}
+
+// The same scenes in C++. The structures' members have the order of PhysicalResults.
+struct SiPair {
+  thermoroll_scene c;
+  thermoroll::GivenScene cpp;
+};
+
+std::vector<SiPair> si_pairs() {
+  using thermoroll::CreepUnit;
+  thermoroll::PhysicalScene si{1.2e7, 40, 7.8e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50};
+  std::vector<SiPair> all;
+  thermoroll_scene c = wheel();  // an insulated roller, constant friction and an unknown bulk
+  c.roller = THERMOROLL_INSULATED;
+  c.friction_law = THERMOROLL_CONSTANT;
+  c.friction_temperature = c.friction_floor = 0;
+  c.bulk_temperature = std::nan("");
+  c.quantity = THERMOROLL_TRACTION;
+  c.given = -0.2;
+  all.push_back({c, {{0.35, 0, 0}, {Quantity::traction, -0.2}, {}, si, {}}});
+  c.quantity = THERMOROLL_TANGENTIAL_LOAD;
+  c.given = 3e6;
+  c.half_width = 0;
+  c.radius = 0.46;
+  si.half_width = 0;
+  all.push_back({c, {{0.35, 0, 0}, {Quantity::traction, 0.25}, {}, si, 0.46}});
+  si = {1.2e7, 40, 7.8e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50, 1.1e-5, 50, 1.4e-5};
+  si.bulk_temperature = 20;
+  si.law = LawOfFriction{LawKind::exponential, {400, 0.4}};
+  const Prescribed ratio{Quantity::creep, 0.01};
+  all.push_back({wheel(), {{0.35, 0, 0}, ratio, {}, si, {}, CreepUnit::ratio}});
+  si.expansion_2 = 1.6e-5;
+  si.conductivity_2 = 20;
+  si.diffusivity_2 = 5e-6;
+  si.law->of.reference = 30;
+  c = wheel_of_two_metals();
+  c.friction_reference_temperature = 30;
+  c.tolerance = 1e-3;  // as the law has a kink
+  const thermoroll::Approach rough{Formulation::corrected, 1e-3};
+  all.push_back({c, {{0.35, 0, 0}, ratio, rough, si, {}, CreepUnit::ratio}});
+  return all;
+}
+
+void expect_same(const thermoroll::PhysicalResults& expected, const thermoroll_physical& found) {
+  EXPECT_EQ(std::memcmp(&expected, &found, sizeof expected), 0);
+}
+
+TEST(Interface, SiScenesAreThoseOfTheLibrary) {
+  for (const auto& [c, cpp] : si_pairs()) {
+    const thermoroll::SolvedScene x = thermoroll::solve_scene(cpp);
+    const thermoroll_result found = answer(c);
+    ASSERT_EQ(found.status, 0) << found.message;
+    expect_same(x.solution.value, found.value);
+    expect_same(x.physical->value, found.physical);
+    expect_same(*x.physical->error, found.physical_error);
+    EXPECT_EQ(numbers(found.unit),
+              (std::vector<double>{x.units->length, x.units->traction, x.units->slip,
+                                   x.units->heat_flux, x.units->temperature}));
+    const double bulk = c.bulk_temperature, rise = found.physical.max_temperature_celsius;
+    if (std::isnan(bulk)) {
+      EXPECT_TRUE(std::isnan(found.physical.contact_temperature_celsius));
+      EXPECT_TRUE(std::isnan(found.physical_error.contact_temperature_celsius));
+    } else {
+      EXPECT_EQ(found.physical.contact_temperature_celsius, bulk + rise);
+      EXPECT_EQ(found.physical_error.contact_temperature_celsius,
+                found.physical_error.max_temperature_celsius);
+    }
+    EXPECT_STREQ(found.notes, "");
+  }
+  expect_nan(answer(steel()).physical);
+  expect_nan(answer(steel()).unit);
+}
+
+// A modulus in GPa and a creep of a fifth: all notes fit, and each begins with its number.
+TEST(Interface, NotesAreWhole) {
+  thermoroll_scene x = wheel();
+  x.shear_modulus = 2e9;
+  x.given = 0.2;
+  x.friction_law = THERMOROLL_CONSTANT;
+  x.friction_temperature = x.friction_floor = 0;
+  x.speed = 4000;
+  const thermoroll_result found = answer(x);
+  ASSERT_EQ(found.status, 0) << found.message;
+  const std::string notes = found.notes;
+  for (const char* name :
+       {"half_width_over_radius = ", "; creep_ratio = 0.2 is above 0.1; ",
+        "; hertz_pressure = 9.79e+08 is above 2e+08; ", "; max_temperature_celsius = "})
+    EXPECT_NE(notes.find(name), std::string::npos) << name << " is not in " << notes;
+  EXPECT_EQ(notes.substr(notes.size() - 4), "1500");
+}
+
+TEST(Interface, EveryMemberInSiUnitsIsRead) {
+  using S = thermoroll_scene;
+  expect_effect(wheel(), &S::given, 0.02);
+  expect_effect(wheel(), &S::friction, 0.3);
+  for (double S::*member : {&S::load, &S::speed, &S::half_width, &S::shear_modulus, &S::poisson,
+                            &S::expansion, &S::diffusivity, &S::conductivity})
+    expect_effect(wheel(), member, 1.1 * (wheel().*member));
+  for (double S::*member : {&S::expansion_2, &S::conductivity_2, &S::diffusivity_2})
+    expect_effect(wheel_of_two_metals(), member, 1.1 * (wheel_of_two_metals().*member));
+  expect_effect(wheel(), &S::friction_temperature, 300);
+  expect_effect(wheel(), &S::friction_reference_temperature, 10);
+  expect_effect(wheel(), &S::bulk_temperature, 30);
+  S warm = wheel();
+  warm.friction_law = THERMOROLL_CONSTANT;
+  warm.friction_temperature = warm.friction_floor = 0;
+  expect_effect(warm, &S::bulk_temperature_2, 30);
+  S given = wheel();
+  given.half_width = 0;
+  given.radius = 0.46;
+  expect_effect(given, &S::radius, 0.5);
+  S same = wheel_of_two_metals(), zero = same;  // no diffusivity of its own
+  same.diffusivity_2 = same.diffusivity;
+  zero.diffusivity_2 = 0;
+  const thermoroll_result a = answer(same), b = answer(zero);
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+}
+
+TEST(Interface, RefusesBadSiData) {
+  using S = thermoroll_scene;
+  const char* kind = "are not for data in SI units";
+  for (double S::*group : {&S::peclet, &S::heating, &S::conductivity_ratio, &S::heating_2,
+                           &S::peclet_2, &S::bulk_difference})
+    expect_effect(wheel(), group, 1, kind);
+  for (double S::*data :
+       {&S::speed, &S::half_width, &S::radius, &S::shear_modulus, &S::poisson, &S::expansion,
+        &S::diffusivity, &S::conductivity, &S::expansion_2, &S::conductivity_2, &S::diffusivity_2,
+        &S::bulk_temperature, &S::bulk_temperature_2})
+    expect_effect(steel(), data, 1, "load = 0 is not allowed");
+  for (double S::*data : {&S::expansion_2, &S::conductivity_2, &S::diffusivity_2})
+    expect_effect(wheel(), data, 1, "for a conducting roller only");
+  expect_effect(wheel(), &S::radius, 0.46, "either half_width or radius");
+  expect_effect(wheel(), &S::half_width, 0, "either half_width or radius");
+  expect_effect(wheel(), &S::shear_modulus, 0, "shear_modulus = 0 is not allowed");
+  expect_effect(wheel(), &S::load, std::nan(""), "load = nan is not allowed");
+  expect_effect(wheel_of_two_metals(), &S::conductivity_2, 0, "conductivity_2 = 0 is not allowed");
+  expect_effect(wheel(), &S::direction, THERMOROLL_BRAKING, "contradicts");
+  expect_effect(steel(), &S::quantity, THERMOROLL_CREEP_RATIO, "a creep ratio or a tangential");
+  expect_effect(steel(), &S::quantity, THERMOROLL_TANGENTIAL_LOAD, "a creep ratio or a tangential");
+  S cold = wheel();
+  cold.bulk_temperature = std::nan("");
+  expect_effect(cold, &S::bulk_temperature_2, 1, "bulk_temperature_2 needs bulk_temperature");
+  S pulled = wheel();
+  pulled.quantity = THERMOROLL_TANGENTIAL_LOAD;
+  pulled.friction_law = THERMOROLL_CONSTANT;
+  pulled.friction_temperature = pulled.friction_floor = 0;
+  pulled.given = 3e6;
+  expect_effect(pulled, &S::given, 6e6, "tangential_load = 6e+06: traction = 0.5 is not allowed");
+  S spun = wheel();
+  expect_effect(spun, &S::given, std::nan(""), "creep_ratio = nan: creep = nan");
+}
+
+std::vector<thermoroll_point> points_of(const thermoroll_scene& scene, std::size_t count,
+                                        thermoroll_result& result) {
+  std::vector<thermoroll_point> points(count);
+  points[0].size = sizeof points[0];
+  result = {};
+  result.size = sizeof result;
+  EXPECT_EQ(thermoroll_profile(&scene, &result, points.data(), count), result.status);
+  return points;
+}
+
+TEST(Interface, ProfileIsThatOfTheLibrary) {
+  thermoroll_scene brakes = conducting();
+  brakes.given = -0.5;
+  for (const thermoroll_scene& scene : {steel(), wheel(), brakes, wheel_of_two_metals()}) {
+    thermoroll_result result;
+    const std::vector<thermoroll_point> found = points_of(scene, 33, result);
+    const thermoroll_result expected = answer(scene);
+    ASSERT_EQ(result.status, 0) << result.message;
+    EXPECT_EQ(std::memcmp(&result, &expected, sizeof result), 0);
+    thermoroll::GivenScene cpp{{0.6, 4360, 0.0175}, {Quantity::traction, 0.5}, {}, {}, {}};
+    if (scene.load != 0) cpp = si_pairs()[scene.roller == THERMOROLL_IDENTICAL ? 2 : 3].cpp;
+    if (scene.load != 0) cpp.physical->law->of.reference = 0;
+    cpp.approach = {};
+    if (scene.given == -0.5) cpp.scene.roller = {4, 0.05};
+    if (scene.given == -0.5) cpp.given.value = -0.5;
+    const thermoroll::Profile x = thermoroll::profile(thermoroll::solve_scene(cpp).solution, 33);
+    const bool insulated = scene.roller == THERMOROLL_INSULATED;
+    for (Eigen::Index k = 0; k < 33; ++k) {
+      const thermoroll_point& y = found[static_cast<std::size_t>(k)];
+      EXPECT_EQ(y.size, sizeof y);
+      EXPECT_EQ(y.status, 0);
+      EXPECT_EQ(y.s, x.s(k));
+      EXPECT_EQ(y.pressure, x.pressure(k));
+      EXPECT_EQ(y.traction, x.traction(k));
+      EXPECT_EQ(y.slip, x.slip(k));
+      EXPECT_EQ(y.heat_flux, x.heat_flux(k));
+      EXPECT_EQ(y.temperature, x.temperature(k));
+      EXPECT_EQ(y.heat_flux_1, insulated ? x.heat_flux(k) : x.heat_flux_1(k));
+      EXPECT_EQ(y.heat_flux_2, insulated ? 0 : x.heat_flux_2(k));
+    }
+  }
+}
+
+TEST(Interface, ProfilesThatAreNot) {
+  thermoroll_scene refused = steel(), unknown = steel();
+  refused.friction = -1;
+  unknown.size += 8;
+  thermoroll_result result;
+  for (const auto& [scene, count] : {std::pair(refused, 5U), std::pair(scheme(), 5U),
+                                     std::pair(steel(), 1U), std::pair(steel(), 100001U)}) {
+    for (const thermoroll_point& point : points_of(scene, count, result)) {
+      EXPECT_EQ(point.status, THERMOROLL_REFUSED);
+      EXPECT_TRUE(std::isnan(point.s + point.temperature));
+    }
+    expect_nan(result.value);
+    EXPECT_GT(std::strlen(result.message), 10U);
+  }
+  EXPECT_STREQ(result.message, "count = 100001 is not allowed: it must be from 2 to 100000");
+  thermoroll_point point{};
+  point.size = sizeof point;
+  const thermoroll_scene scene = steel();
+  EXPECT_EQ(thermoroll_profile(nullptr, &result, &point, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_profile(&unknown, &result, &point, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_profile(&scene, nullptr, &point, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(thermoroll_profile(&scene, &result, nullptr, 1), THERMOROLL_REFUSED);
+  result.status = 77;
+  EXPECT_EQ(thermoroll_profile(&scene, &result, &point, 0), THERMOROLL_REFUSED);
+  point.size -= 8;
+  EXPECT_EQ(thermoroll_profile(&scene, &result, &point, 1), THERMOROLL_REFUSED);
+  EXPECT_EQ(result.status, 77);
+  EXPECT_EQ(point.status, 0);
+}
+
 TEST(Interface, RefusesNumbersThatAreNoWords) {
   using S = thermoroll_scene;
   const std::pair<int32_t S::*, std::string> words[] = {
@@ -441,6 +709,40 @@ TEST(Interface, LawIsThatOfTheLibrary) {
     EXPECT_TRUE(std::isnan(values[k].traction + values[k].max_temperature_error));
   }
   thermoroll_law_free(law);
+}
+
+// In SI units the law has creep ratios, N/m and degree C: each is that of the library in its unit.
+TEST(Interface, LawInSiUnits) {
+  thermoroll_law_info info;
+  thermoroll_scene scene = wheel();
+  scene.tolerance = 1e-3;
+  thermoroll_law* law = law_of(scene, 0.03, info);
+  ASSERT_NE(law, nullptr) << info.message;
+  EXPECT_NEAR(info.driving_end, 0.03, 1e-15);
+  thermoroll::PhysicalScene si = *si_pairs()[2].cpp.physical;
+  const auto unit = thermoroll::law_units(si, 0.35);
+  const auto expected = thermoroll::creep_law(thermoroll::scene_of(si, 0.35),
+                                              Formulation::corrected, 1e-3, 0.03 / unit.creep);
+  const double ratio = 0.02;
+  thermoroll_law_value y{};
+  y.size = sizeof y;
+  ASSERT_EQ(thermoroll_law_evaluate(law, &ratio, &y, 1), 0);
+  const auto x = thermoroll::evaluate(expected, ratio / unit.creep);
+  EXPECT_DOUBLE_EQ(y.traction, x->traction * 1.2e7);
+  EXPECT_DOUBLE_EQ(y.slope, x->slope * 1.2e7 / unit.creep);
+  EXPECT_DOUBLE_EQ(y.max_temperature, x->temperature * unit.temperature);
+  EXPECT_DOUBLE_EQ(y.traction_error, expected.traction_error * 1.2e7);
+  const double grown = ratio / unit.creep / expected.driving.unit_creep;
+  EXPECT_GT(grown, 1);
+  EXPECT_DOUBLE_EQ(y.max_temperature_error, expected.temperature_error * grown * unit.temperature);
+  thermoroll_law_free(law);
+  scene.half_width = 0;
+  scene.radius = 0.46;
+  EXPECT_EQ(law_of(scene, 0.03, info), nullptr);
+  EXPECT_NE(std::string(info.message).find("needs half_width"), std::string::npos);
+  scene.radius = 0;
+  EXPECT_EQ(law_of(scene, 0.03, info), nullptr);
+  EXPECT_EQ(info.status, THERMOROLL_REFUSED);
 }
 
 TEST(Interface, LawsThatAreNot) {

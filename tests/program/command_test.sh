@@ -178,7 +178,7 @@ TangentialLoad() {
     refuses 2 "is not allowed: it must be between -7200000 and 7200000 N/m, friction times load" \
       solve "${data[@]}" --tangential-load $load
   done
-  refuses 2 "tangential-load = 6e+06: traction = 0.5 is not allowed: it must be at most 0." \
+  refuses 2 "tangential-load = 6e+06 over load = 1.2e+07: traction = 0.5 is not allowed: it must be at most 0." \
     solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
   answers solve "${data[@]}" --tangential-load 1e6 --friction-law linear --friction-temperature 200 \
     --branch falling --format json
@@ -825,7 +825,7 @@ TextTellsWhatIsLeftOut() {
   answers solve "${steel[@]}" --half-width 5.5e-3
   grep -q '^max_pressure  *max p  *1.387[0-9]*e+09  *[0-9.e+-]*  *Pa$' out || fail "$(cat out)"
   grep -q '^hertz_pressure  *p0  *1.38899e+09  *Pa$' out || fail "an error of what is exact: $(cat out)"
-  grep -q '^max_temperature_celsius .* degree C above ambient$' out || fail "$(cat out)"
+  grep -q '^max_temperature_celsius .* degree C above bulk$' out || fail "$(cat out)"
 }
 
 # --- Data in SI units -----------------------------------------------------------------------------
@@ -939,6 +939,13 @@ TemperatureColumns() {
   tail -1 out | grep -qx '0.5,0.001[0-9]*,' || fail "$(cat out)"
   answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5
   [ "$(head -1 out)" = s,x_m,temperature,temperature_celsius,error_estimate ] || fail "$(head -1 out)"
+  answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5 --bulk-temperature 20
+  [ "$(head -1 out)" = s,x_m,temperature,temperature_celsius,absolute_temperature_celsius,error_estimate ] || fail "$(head -1 out)"
+  awk -F, 'END { exit !($5 == 20 + $4 || $5 - 20 - $4 < 1e-12 && 20 + $4 - $5 < 1e-12) }' out || fail "$(cat out)"
+  answers solve "${steel[@]}" --half-width 5.5e-3 --bulk-temperature 20 --profile profile.csv --profile-points 5
+  awk -F, 'NR == 1 { exit $NF != "absolute_temperature_celsius" } { d = $NF - 20 - $(NF - 1); if (d * d > 1e-20) exit 1 }' profile.csv ||
+    fail "$(cat profile.csv)"
+  answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5
   awk -F, 'END { if ($2 != 0.5 * 5.5e-3) exit 1
                  t = $3 * 0.6 * 22.2 * 1.4 * 1.2e7^2 / (8.1e10 * 5.5e-3 * 50)
                  exit !($4 / t - 1 < 1e-14 && 1 - $4 / t < 1e-14) }' out || fail "$(cat out)"
@@ -1056,6 +1063,13 @@ SceneFile() {
   answers solve --config wheel.toml --format json --friction 0.6
   cmp out by-options || fail "the option does not take precedence"
   answers temperature --config wheel.toml --at 0.5
+  # what an option excludes gives way to it
+  sed -i 's/= 0.7/= 0.6/' wheel.toml
+  answers solve --config wheel.toml --format json --creep 0.1
+  [ "$(value creep)" = 0.1 ] || fail "$(cat out)"
+  answers solve --config wheel.toml --format json --radius 0.3
+  near "$(value radius)" 0.3 1e-6
+  refuses 2 "exactly one of" solve --config wheel.toml --creep 0.1 --creep-ratio 0.001
   { printf '\xef\xbb\xbf'; sed 's/= 0.7/= 0.6/' wheel.toml; } >marked.toml
   answers solve --config marked.toml --format json
   cmp out by-options || fail "the byte-order mark makes another scene"
@@ -1083,6 +1097,8 @@ BadSceneFiles() {
   bad "gives friction more than once" $'peclet = 100\nfriction = 0.6'
   bad "gives peclet more than once" $'peclet = 100\npeclet = 100'
   bad "gives peclet more than once" 'peclet = [100, 200]'
+  bad "half-width = 7.8e-3 m is not allowed: it must be a finite number in m" 'half_width = 7.8e-3 m'
+  bad "peclet = 1 000 is not allowed: it must be a finite number" 'peclet = 1 000'
   [ ! -e other ] || fail "a file was written"
   refuses 2 "A subcommand is required" --config bad.toml
   refuses 2 "cannot read the scene file nowhere.toml: No such file or directory" solve --config nowhere.toml
@@ -1742,7 +1758,7 @@ CreepCurveHasARange() {
 
 CreepCurveInSiUnits() {
   answers creep-curve "${wheel[@]}" --bulk-temperature 20 --from 0 --to 0.3 --points 3
-  [ "$(head -1 out)" = "creep,traction,stick_slip_border,full_slip,max_temperature,creep_ratio,creep_speed_m_per_s,traction_n_per_m,max_temperature_celsius,contact_temperature_celsius,error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature" ] ||
+  [ "$(head -1 out)" = "creep,traction,stick_slip_border,full_slip,max_temperature,creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius,contact_temperature_celsius,error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature" ] ||
     fail "$(head -1 out)"
   tail -1 out | tr , ' ' >row
   local creep traction border full temperature ratio speed force rise absolute rest
@@ -1764,9 +1780,16 @@ BadCurves() {
   refuses 2 "to = inf is not allowed" $curve --to inf
   refuses 2 "unexpected --creep" $curve --creep 0.1
   refuses 2 "tolerance = 1e-08 is not allowed: it must be from 1e-7 to 1e-2" $curve --tolerance 1e-8
-  refuses 2 "to = 9 is not allowed: it must be at most 7.78" creep-curve --friction 0.6 --peclet 0.5 --heating 1 --to 9
-  refuses 2 "from = -9 is not allowed: it must be at least -6.32" creep-curve --friction 0.6 --peclet 0.5 --heating 1 --from -9
+  refuses 2 "to = 9 is not allowed: it must be at most about 7.78" creep-curve --friction 0.6 --peclet 0.5 --heating 1 --to 9
+  refuses 2 "from = -9 is not allowed: it must be at least about -6.32" creep-curve --friction 0.6 --peclet 0.5 --heating 1 --from -9
   one_line "where the curve ends: contact is lost: separation"
+  # the end that is told is one that is taken
+  local end
+  end=$(sed -E 's/.*at least about (-[0-9.]*),.*/\1/' err)
+  answers creep-curve --friction 0.6 --peclet 0.5 --heating 1 --from "$end" --to 0 --points 2
+  # an end as a fraction of the speed is refused as one
+  refuses 2 "to-ratio = 100 is not allowed: it must be at most about " creep-curve "${wheel[@]}" --to-ratio 100
+  refuses 2 "from-ratio = 0.02 is not allowed: it must be below --to-ratio, 0.01" creep-curve "${wheel[@]}" --from-ratio 0.02 --to-ratio 0.01
   refuses 2 "--peclet is missing" creep-curve --friction 0.6
   refuses 2 "--friction is required" creep-curve --peclet 100
 }
@@ -1850,6 +1873,10 @@ Completion() {
   completes 'text;json;csv;' thermoroll solve --format ''
   completes 'a file.csv;' thermoroll solve --output a
   completes 'scenes.csv;' thermoroll --config sc
+  completes 'creep;creep-ratio;' thermoroll sweep --given cr
+  completes 'load_ratio;' thermoroll sweep --columns load
+  completes 'status,creep,max_temperature;status,creep,max_temperature_at;' thermoroll sweep --columns status,creep,max_t
+  completes 'error_estimate.max_temperature;error_estimate.max_temperature_at;' thermoroll sweep --columns error_estimate.max_t
   completes 'kernels;' thermoroll figure-data kern
   completes 'creep-curve;' thermoroll help cr
   local command option

@@ -37,7 +37,7 @@ CurvesAtThreeSpeeds() {
   cook curves.sh
   [ "$(column speed curves.csv | uniq -c | tr -s ' ' | paste -sd,)" = " 101 20, 101 40, 101 80" ] || fail "$(head -3 curves.csv)"
   answers creep-curve --config locomotive.toml --speed 40 --from-ratio 0 --to-ratio 0.03
-  paste -d, <(column creep_ratio out) <(column traction_n_per_m out) <(column contact_temperature_celsius out) |
+  paste -d, <(column creep_ratio out) <(column tangential_load out) <(column contact_temperature_celsius out) |
     paste -d, <(grep '^40,' curves.csv | cut -d, -f2-) - | awk -F, 'function near(a, b) { d = a - b; return d * d <= 1e-18 * b * b }
       !near($1, 100 * $4) || !near($2, 9e-6 * $5) || !near($3, $6) { exit 1 } END { exit NR != 101 }' || fail "another curve"
   local slow fast
@@ -94,10 +94,11 @@ SameSweepFromPython() {
 
 # Both languages have the answers of one sweep.
 CoprocessAnswersRowByRow() {
-  cook coprocess.sh bash
-  cp out bash.csv
+  cook coprocess.sh
+  cp out shell.csv
+  [ ! -e rows ] && [ ! -e answers ] || fail "left its pipes"
   cook coprocess.py python3
-  cmp out bash.csv || fail "$(cat out) is not $(cat bash.csv)"
+  cmp out shell.csv || fail "$(cat out) is not $(cat shell.csv)"
   printf 'friction,traction\n0.6,0.1\n0.6,0.2\n0.6,0.3\n0.6,0.4\n' |
     "$program" sweep --peclet 100 --heating 1 --columns creep,max_temperature | cmp - out || fail "$(cat out)"
 }

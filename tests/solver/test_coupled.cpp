@@ -254,6 +254,19 @@ std::vector<double> points_of_slip(double c0) {
   return {0.002 * (1 - c0), 0.05 * (1 - c0), 0.4 * (1 - c0), 0.8 * (1 - c0), 0.99 * (1 - c0)};
 }
 
+// Next to full slip the traction is the friction but for a few roundings: any such traction has an
+// answer, whose border is Carter's to the rounding of 1 - Q/f, which is b^2 for the half-length b.
+TEST(Coupled, NextToFullSlip) {
+  for (const double left : {1e-12, 1e-13, 3e-14, 1e-14, 6e-15, 3e-15, 1e-15, 1e-16}) {
+    const double q = 0.6 * (1 - left), part = 1 - q / 0.6;
+    const auto x =
+        thermoroll::solve({0.6, 100, 0}, {Quantity::traction, q},
+                          {thermoroll::Formulation::corrected, 1e-6, thermoroll::Method::coupled});
+    const double stick = 1 + x.value(Quantity::stick_slip_border);
+    EXPECT_NEAR(stick * stick / 4, part, 1e-15) << left;
+  }
+}
+
 }  // namespace
 
 // @eq:pressure-conditions and @eq:stick-conditions typed once more, F and G by the adaptive

@@ -55,4 +55,14 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
 /// The law at a creep of either sign; nothing beyond the end of the law. Allocates nothing.
 std::optional<LawValue> evaluate(const CreepLaw& law, double creep);
 
+/// The SI values of one xi*, Q* and T*: a fraction of the speed, N/m and degree C; V in m/s and the
+/// bulk temperature in degree C.
+struct LawUnits {
+  double creep = 1, traction = 1, temperature = 1;
+  double speed = 0;
+  std::optional<double> bulk_temperature{};
+};
+
+LawUnits law_units(const PhysicalScene& si, double friction);
+
 }  // namespace thermoroll

@@ -90,11 +90,12 @@ struct PhysicalScene {
 
 /// The SI value of one dimensionless unit (@eq:scaled-variables, @eq:temperature-scale).
 struct Units {
-  double traction;     ///< P/a, of p* and q*, Pa
-  double slip;         ///< 2(1-nu) P V / (mu a), of v*, m/s
-  double heat_flux;    ///< f V 2(1-nu) P^2 / (mu a^2), of v* p*, W/m^2
-  double temperature;  ///< heat_flux a / K, of T*, degree C
-  double length = 0;   ///< a, of s and depths, m
+  double traction;                           ///< P/a, of p* and q*, Pa
+  double slip;                               ///< 2(1-nu) P V / (mu a), of v*, m/s
+  double heat_flux;                          ///< f V 2(1-nu) P^2 / (mu a^2), of v* p*, W/m^2
+  double temperature;                        ///< heat_flux a / K, of T*, degree C
+  double length = 0;                         ///< a, of s and depths, m
+  std::optional<double> bulk_temperature{};  ///< to which rises add, degree C, if it is known
 };
 
 /// The dimensionless groups of a scene, @eq:groups.

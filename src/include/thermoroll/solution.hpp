@@ -121,6 +121,28 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
                             const Prescribed& given, const Approach& approach,
                             CreepUnit unit = CreepUnit::scaled);
 
+/// The scene as given. In SI units, peclet and heating are not known yet, and half_width is not if
+/// a radius is given. Its traction counts only if that is given.
+struct GivenScene {
+  Scene scene;
+  Prescribed given;
+  Approach approach;
+  std::optional<PhysicalScene> physical;
+  std::optional<double> radius;
+  CreepUnit unit = CreepUnit::scaled;
+  std::string as_given{};  ///< of a quantity that is given in SI units, "tangential-load = 6e+06"
+};
+
+/// A solution and, where the scene was given in SI units, these units and the results in them.
+struct SolvedScene {
+  Solution solution;
+  std::optional<Units> units;
+  std::optional<FoundInSi> physical;
+};
+
+/// Solve a scene as it is given; throws as solve() and half_width_of_radius() do.
+SolvedScene solve_scene(const GivenScene& c);
+
 /// T* at one point, with its estimated absolute error where the method has one.
 struct CurvePoint {
   double s;

@@ -1,7 +1,7 @@
 # Tangled from paper/K-from-other-languages.md; edit there.
 """Rolling contact of a cylinder with frictional heating, by the shared library of thermoroll.
 
-All numbers are dimensionless, as in the report. Arguments are broadcast against each other as
+Numbers are dimensionless, as in the report, or in SI units. Arguments are broadcast against each other as
 NumPy does, and results have the broadcast shape. The library is looked for in the file
 THERMOROLL_LIBRARY, beside an installed module, below sys.prefix, and where the system looks.
 """
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import inspect
 import math
 import operator
 import os
@@ -21,7 +22,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Law", "LawValues", "Solution", "Values", "law", "solve", "version"]
+__all__ = ["Law", "LawValues", "Physical", "Profile", "Solution", "Values", "law", "profile", "solve", "version"]
 
 def _structure(*members: str) -> np.dtype:
     return np.dtype([tuple(member.split()) for line in members for member in line.split(",")])
@@ -32,6 +33,9 @@ _scene = _structure(
     "conductivity_ratio f8, heating_2 f8, peclet_2 f8, bulk_difference f8, friction_law i4",
     "branch i4, friction_temperature f8, friction_floor f8, friction_reference_temperature f8",
     "method i4, formulation i4, tolerance f8, nodes i4, unused i4",
+    "load f8, speed f8, half_width f8, radius f8, shear_modulus f8, poisson f8, expansion f8",
+    "diffusivity f8, conductivity f8, expansion_2 f8, conductivity_2 f8, diffusivity_2 f8",
+    "bulk_temperature f8, bulk_temperature_2 f8",
 )
 
 _values = _structure(
@@ -39,9 +43,20 @@ _values = _structure(
     "load_ratio f8, gamma0 f8, heat_integral f8, max_temperature f8, max_temperature_at f8",
     "eccentricity f8, heat_1 f8, heat_2 f8, traction_limit f8, creep_at_traction_limit f8",
 )
+_units = _structure("length f8, traction f8, slip f8, heat_flux f8, temperature f8")
+_physical = _structure(
+    "half_width f8, radius f8, creep_ratio f8, hertz_pressure f8, max_pressure f8, max_traction f8",
+    "max_heat_flux f8, max_temperature_celsius f8, half_width_over_radius f8, dissipation f8",
+    "tangential_load f8, max_temperature_at_m f8, contact_temperature_celsius f8",
+)
 _result = np.dtype(
     _structure("size u4, status i4, model i4, unknowns i4").descr
-    + [("value", _values), ("error", _values), ("message", "S256")]
+    + [("value", _values), ("error", _values), ("message", "S256"), ("unit", _units)]
+    + [("physical", _physical), ("physical_error", _physical), ("notes", "S256")]
+)
+_point = _structure(
+    "size u4, status i4, s f8, pressure f8, traction f8, slip f8, heat_flux f8, temperature f8",
+    "heat_flux_1 f8, heat_flux_2 f8",
 )
 _law_info = _structure("size u4, status i4, driving_end f8, braking_end f8, message S256")
 _law_value = _structure(
@@ -78,6 +93,7 @@ def _function(name: str, result: type | None, *arguments: type):
 _array, _count = ctypes.c_void_p, ctypes.c_size_t
 _version = _function("version", ctypes.c_char_p)
 _solve = _function("solve", ctypes.c_int, _array, _array, _count, ctypes.c_int)
+_profile = _function("profile", ctypes.c_int, _array, _array, _array, _count)
 _law_new = _function("law_new", ctypes.c_void_p, _array, ctypes.c_double, _array)
 _law_evaluate = _function("law_evaluate", ctypes.c_int, _array, _array, _array, _count)
 _law_free = _function("law_free", None, ctypes.c_void_p)
@@ -89,7 +105,7 @@ def version() -> str:
 
 _models = ("closed-form", "first-order", "coupled")
 _words = {
-    "quantity": ("traction", "creep", "stick_slip_border"),
+    "quantity": ("traction", "creep", "stick_slip_border", "creep_ratio", "tangential_load"),
     "roller": ("insulated", "identical", "conducting"),
     "direction": ("driving", "braking"),
     "friction_law": ("constant", "linear", "exponential", "rational", "piecewise-linear"),
@@ -109,25 +125,52 @@ def _numbers(name: str, value: ArrayLike) -> NDArray:
         if (numbers < 0).any():
             raise ValueError(f"{name} must be one of {', '.join(_words[name])}")
         return numbers
-    if name == "nodes" and not np.issubdtype(given.dtype, np.integer):
-        raise TypeError("nodes must be whole numbers")
+    if given.dtype.kind not in ("iu" if name == "nodes" else "iuf") and given.size > 0:
+        kind = "whole" if name == "nodes" else "real"
+        raise TypeError(f"{name} must be {kind} numbers, not {given.dtype.type.__name__}")
     return given.astype(float)
+
+_si_needed = ("load", "speed", "shear_modulus", "poisson", "expansion", "diffusivity", "conductivity")
+_si_more = ("half_width", "radius", "expansion_2", "conductivity_2", "diffusivity_2")
+_si_more += ("bulk_temperature", "bulk_temperature_2", "creep_ratio", "tangential_load")
+
+
+def _in_si(members: dict[str, ArrayLike | None]) -> bool:
+    given = [name for name in (*_si_needed, *_si_more) if members.get(name) is not None]
+    missing = [name for name in _si_needed if members.get(name) is None]
+    if not given and members["peclet"] is None:
+        raise TypeError("peclet is needed, or data in SI units")
+    if given and missing:
+        raise TypeError(f"{given[0]} is for data in SI units, which lack {', '.join(missing)}")
+    return bool(given)
+
+def _over_bulk(members: dict[str, ArrayLike | None]) -> ArrayLike | None:
+    name, bulk = "friction_reference_temperature", members.get("bulk_temperature")
+    if not _in_si(members) or members[name] is None:
+        return members[name]
+    if bulk is None:
+        raise TypeError(f"{name} in degree C needs bulk_temperature")
+    return np.subtract(_numbers(name, members[name]), _numbers("bulk_temperature", bulk))
 
 def _scenes(members: dict[str, ArrayLike | None]) -> NDArray:
     given = [name for name in _words["quantity"] if members.get(name) is not None]
     if len(given) != 1:
-        raise TypeError("exactly one of traction, creep and stick_slip_border is needed")
-    rest = {name: x for name, x in members.items() if name not in _words["quantity"]}
-    rest.update(quantity=given[0], given=members[given[0]], unused=0)
-    numbers = {name: _numbers(name, x) for name, x in rest.items()}
+        raise TypeError(
+            "exactly one of traction, creep and stick_slip_border is needed, or in SI units creep_ratio or tangential_load"
+        )
+    members = {**members, "friction_reference_temperature": _over_bulk(members)}
+    known = {name: x for name, x in members.items() if x is not None and name not in _words["quantity"]}
+    known.update(quantity=given[0], given=_numbers(given[0], members[given[0]]))
+    numbers = {name: _numbers(name, x) for name, x in known.items()}
     try:
         shape = np.broadcast_shapes(*(x.shape for x in numbers.values()))
     except ValueError:
         numbers[given[0]] = numbers.pop("given")
         arrays = ", ".join(f"{name} {x.shape}" for name, x in numbers.items() if x.shape)
         raise ValueError(f"these shapes do not fit: {arrays}") from None
-    scenes = np.empty(shape, _scene)
+    scenes = np.zeros(shape, _scene)
     scenes["size"] = _scene.itemsize
+    scenes["bulk_temperature"] = scenes["bulk_temperature_2"] = np.nan
     for name, x in numbers.items():
         scenes[name] = x
     return scenes
@@ -153,6 +196,24 @@ class Values:
     creep_at_traction_limit: NDArray  #: the creep there
 
 @dataclasses.dataclass(frozen=True, eq=False)
+class Physical:
+    """Results in SI units, or their estimated absolute errors: arrays of one shape."""
+
+    half_width: NDArray  #: a, m
+    radius: NDArray  #: R of the cylinder, m
+    creep_ratio: NDArray  #: xi, the creep as a fraction of the speed
+    hertz_pressure: NDArray  #: 2 P / (pi a), Pa
+    max_pressure: NDArray  #: the largest p, Pa
+    max_traction: NDArray  #: the largest q by size, Pa, negative when braking
+    max_heat_flux: NDArray  #: W/m^2
+    max_temperature_celsius: NDArray  #: the largest rise of the surface, degree C
+    half_width_over_radius: NDArray  #: a / R
+    dissipation: NDArray  #: power lost to friction per unit length, W/m
+    tangential_load: NDArray  #: Q, N/m, negative when braking
+    max_temperature_at_m: NDArray  #: x of the hottest point, m
+    contact_temperature_celsius: NDArray  #: bulk temperature and largest rise, degree C, or NaN
+
+@dataclasses.dataclass(frozen=True, eq=False)
 class Solution(Values):
     """Solved scenes. Where the status is not 0, the results are NaN and the message says why."""
 
@@ -160,25 +221,36 @@ class Solution(Values):
     status: NDArray  #: 0 done, 1 failed, 2 refused, 3 not converged, 5 no contact
     model: NDArray  #: "closed-form", "first-order" or "coupled"; "" for none
     unknowns: NDArray  #: of the last grid, 0 without one
+    physical: Physical | None  #: of data in SI units
+    physical_errors: Physical | None
     _messages: NDArray = dataclasses.field(repr=False)
+    _notes: NDArray = dataclasses.field(repr=False)
 
     @property
     def messages(self) -> NDArray | str:
         """Why each scene failed, or why its model was enough."""
         return np.frompyfunc(bytes.decode, 1, 1)(self._messages)
 
+    @property
+    def notes(self) -> NDArray | str:
+        """What is beyond the model: a/R, creep, pressure or temperature; a modulus may be in GPa. Else ""."""
+        return np.frompyfunc(bytes.decode, 1, 1)(self._notes)
+
 def _columns(rows: NDArray) -> dict[str, NDArray]:
     return {name: rows[name].copy()[()] for name in rows.dtype.names}
 
 
-def _solution(rows: NDArray) -> Solution:
+def _solution(rows: NDArray, in_si: bool) -> Solution:
     return Solution(
         **_columns(rows["value"]),
         errors=Values(**_columns(rows["error"])),
         status=rows["status"].copy()[()],
         model=np.array([*_models, ""])[rows["model"]],
         unknowns=rows["unknowns"].copy()[()],
+        physical=Physical(**_columns(rows["physical"])) if in_si else None,
+        physical_errors=Physical(**_columns(rows["physical_error"])) if in_si else None,
         _messages=rows["message"].copy()[()],
+        _notes=rows["notes"].copy()[()],
     )
 
 _block_time, _largest_block = 0.2, 8192
@@ -203,11 +275,14 @@ def _solve_all(scenes: NDArray, threads: int) -> NDArray:
 def solve(
     *,
     friction: ArrayLike,
-    peclet: ArrayLike,
+    peclet: ArrayLike | None = None,
     heating: ArrayLike = 0.0,
     traction: ArrayLike | None = None,
     creep: ArrayLike | None = None,
     stick_slip_border: ArrayLike | None = None,
+    creep_ratio: ArrayLike | None = None,
+    tangential_load: ArrayLike | None = None,
+    radius: ArrayLike | None = None,
     roller: ArrayLike = "insulated",
     conductivity_ratio: ArrayLike = 0.0,
     heating_2: ArrayLike = 0.0,
@@ -216,8 +291,21 @@ def solve(
     friction_law: ArrayLike = "constant",
     friction_temperature: ArrayLike = 0.0,
     friction_floor: ArrayLike = 0.0,
-    friction_reference_temperature: ArrayLike = 0.0,
+    friction_reference_temperature: ArrayLike | None = None,
     formulation: ArrayLike = "corrected",
+    load: ArrayLike | None = None,
+    speed: ArrayLike | None = None,
+    half_width: ArrayLike | None = None,
+    shear_modulus: ArrayLike | None = None,
+    poisson: ArrayLike | None = None,
+    expansion: ArrayLike | None = None,
+    diffusivity: ArrayLike | None = None,
+    conductivity: ArrayLike | None = None,
+    expansion_2: ArrayLike | None = None,
+    conductivity_2: ArrayLike | None = None,
+    diffusivity_2: ArrayLike | None = None,
+    bulk_temperature: ArrayLike | None = None,
+    bulk_temperature_2: ArrayLike | None = None,
     direction: ArrayLike = "driving",
     branch: ArrayLike = "rising",
     method: ArrayLike = "auto",
@@ -237,6 +325,12 @@ def solve(
     friction_law: "constant", "linear", "exponential", "rational" or "piecewise-linear", with
         friction_temperature (T0*), friction_floor (0 to 1), friction_reference_temperature.
     formulation: "corrected" or "printed".
+    In SI units, in place of peclet and heating: load (N/m), speed (m/s), half_width or radius (m),
+        shear_modulus (Pa), poisson, expansion (1/K), diffusivity (m^2/s), conductivity (W/(m K));
+        expansion_2, conductivity_2 and diffusivity_2 of a conducting roller; bulk_temperature and
+        bulk_temperature_2 (degree C), unknown unless given. There creep_ratio (a fraction of the
+        speed) or tangential_load (N/m) may be what is given, friction_temperature is in K and
+        friction_reference_temperature in degree C, and the results have physical.
     direction: "driving" or "braking", of a border. branch: "rising" or "falling", of a traction
         with a law of friction.
     method: "auto", "closed-form", "first-order", "coupled" or "gauss-chebyshev". The closed form
@@ -246,20 +340,87 @@ def solve(
 
     Returns the results in the broadcast shape of all arguments. A scene that fails raises nothing:
     it has a status, a message and NaN. Raises ValueError for an unknown word or shapes that do not
-    fit, and TypeError unless exactly one quantity is given.
+    fit, and TypeError unless exactly one quantity and one kind of data is given, in real numbers.
     """
     members = {name: x for name, x in locals().items() if name != "threads"}
     if not 0 <= operator.index(threads) <= 1024:
         raise ValueError("threads must be from 0, for all processors, to 1024")
-    return _solution(_solve_all(_scenes(members), threads))
+    return _solution(_solve_all(_scenes(members), threads), _in_si(members))
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Profile:
+    """Curves along the contact, which the surfaces enter at s = -1 and leave at s = 1: arrays of one length."""
+
+    s: NDArray  #: x / a
+    pressure: NDArray  #: p*
+    traction: NDArray  #: q*, negative when braking
+    slip: NDArray  #: v*, negative when braking
+    heat_flux: NDArray  #: v* p*
+    temperature: NDArray  #: T*, over the bulk temperature
+    heat_flux_1: NDArray  #: into the half-space
+    heat_flux_2: NDArray  #: into the roller
+    solution: Solution  #: the results of the scene, numbers
+    x_m: NDArray | None = None  #: as above, of data in SI units
+    pressure_pa: NDArray | None = None
+    traction_pa: NDArray | None = None
+    slip_m_per_s: NDArray | None = None
+    heat_flux_w_per_m2: NDArray | None = None
+    temperature_celsius: NDArray | None = None  #: the rise
+    heat_flux_1_w_per_m2: NDArray | None = None
+    heat_flux_2_w_per_m2: NDArray | None = None
+    absolute_temperature_celsius: NDArray | None = None  #: with a bulk temperature
+
+def _curves_in_si(points: NDArray, unit: NDArray, bulk: float) -> dict[str, NDArray]:
+    of = {"pressure_pa": "traction", "traction_pa": "traction", "slip_m_per_s": "slip", "temperature_celsius": "temperature"}
+    of.update({f"heat_flux{body}_w_per_m2": "heat_flux" for body in ("", "_1", "_2")})
+    bare = ("_pa", "_m_per_s", "_w_per_m2", "_celsius")
+    curves = {"x_m": points["s"] * unit["length"]}
+    for name, by in of.items():
+        curves[name] = points[next(name.removesuffix(x) for x in bare if name.endswith(x))] * unit[by]
+    if not np.isnan(bulk):
+        curves["absolute_temperature_celsius"] = bulk + curves["temperature_celsius"]
+    return curves
+
+def _raise(told: NDArray) -> None:
+    raised = ValueError if told["status"] == 2 else RuntimeError
+    raise raised(told["message"][()].decode())
+
+def profile(*, points: int = 401, **scene: ArrayLike) -> Profile:
+    """Curves along the contact of one scene, with the arguments of solve() as single numbers.
+
+    points: how many, 2 to 100000, dense at the edges and at the border. Raises ValueError for data
+    out of range, RuntimeError if there is no solution, and TypeError as solve() does.
+    """
+    if "threads" in scene:
+        raise TypeError("a profile is of one scene and has no threads")
+    members = inspect.signature(solve).bind(**scene)
+    members.apply_defaults()
+    del members.arguments["threads"]
+    given, in_si = _scenes(members.arguments), _in_si(members.arguments)
+    if given.shape:
+        raise ValueError("a profile is of one scene: its arguments are single numbers")
+    if not 2 <= operator.index(points) <= 100_000:
+        raise ValueError("points must be from 2 to 100000")
+    rows, result = np.zeros(points, _point), np.zeros((), _result)
+    rows["size"], result["size"] = _point.itemsize, _result.itemsize
+    if _profile(given.ctypes.data, result.ctypes.data, rows.ctypes.data, points) != 0:
+        _raise(result)
+    curves = _columns(rows)
+    del curves["size"], curves["status"]
+    if in_si:
+        curves.update(_curves_in_si(rows, result["unit"], given["bulk_temperature"]))
+    return Profile(**curves, solution=_solution(result, in_si))
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class LawValues:
-    """A law at creeps: arrays of their shape, dimensionless; NaN beyond the end of the law."""
+    """A law at creeps: arrays of their shape; NaN beyond the end of the law.
 
-    traction: NDArray  #: Q*, with the sign of the creep
-    slope: NDArray  #: dQ*/dxi*; it has no error estimate
-    max_temperature: NDArray  #: the largest T*
+    Dimensionless, or of data in SI units with what follows "or".
+    """
+
+    traction: NDArray  #: Q*, or Q in N/m, with the sign of the creep
+    slope: NDArray  #: dQ*/dxi*, or dQ/dxi in N/m; it has no error estimate
+    max_temperature: NDArray  #: the largest T*, or rise in degree C
     stick_slip_border: NDArray  #: c0, -1 in full slip
     traction_error: NDArray  #: estimated, absolute, as are the next two
     max_temperature_error: NDArray
@@ -284,7 +445,7 @@ class Law:
         raise TypeError("a law cannot be copied or pickled: make it again by law()")
 
     def __call__(self, creep: ArrayLike) -> LawValues:
-        """The law at creeps xi* of either sign."""
+        """The law at creeps xi* of either sign, or of data in SI units at fractions of the speed."""
         creeps = np.array(_numbers("creep", creep), order="C")
         values = np.zeros(creeps.shape, _law_value)
         values["size"] = _law_value.itemsize
@@ -296,7 +457,7 @@ class Law:
 def law(
     *,
     friction: ArrayLike,
-    peclet: ArrayLike,
+    peclet: ArrayLike | None = None,
     heating: ArrayLike = 0.0,
     roller: ArrayLike = "insulated",
     conductivity_ratio: ArrayLike = 0.0,
@@ -306,12 +467,27 @@ def law(
     friction_law: ArrayLike = "constant",
     friction_temperature: ArrayLike = 0.0,
     friction_floor: ArrayLike = 0.0,
-    friction_reference_temperature: ArrayLike = 0.0,
+    friction_reference_temperature: ArrayLike | None = None,
     formulation: ArrayLike = "corrected",
+    load: ArrayLike | None = None,
+    speed: ArrayLike | None = None,
+    half_width: ArrayLike | None = None,
+    shear_modulus: ArrayLike | None = None,
+    poisson: ArrayLike | None = None,
+    expansion: ArrayLike | None = None,
+    diffusivity: ArrayLike | None = None,
+    conductivity: ArrayLike | None = None,
+    expansion_2: ArrayLike | None = None,
+    conductivity_2: ArrayLike | None = None,
+    diffusivity_2: ArrayLike | None = None,
+    bulk_temperature: ArrayLike | None = None,
+    bulk_temperature_2: ArrayLike | None = None,
     tolerance: ArrayLike = 1e-4,
     reach: float = math.inf,
 ) -> Law:
     """The law of all creeps of one scene, driving and braking, with the arguments of solve().
+
+    Of data in SI units, which need the half_width, it takes fractions of the speed.
 
     tolerance: of traction, border and relative temperature, 1e-7 to 1e-2. reach: the size of the
     creep up to which full slip is computed. Raises ValueError for data out of range, RuntimeError
@@ -326,6 +502,5 @@ def law(
     info["size"] = _law_info.itemsize
     handle = _law_new(scene.ctypes.data, reach, info.ctypes.data)
     if not handle:
-        raised = ValueError if info["status"] == 2 else RuntimeError
-        raise raised(info["message"][()].decode())
+        _raise(info)
     return Law(handle, info)
