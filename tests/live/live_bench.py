@@ -50,7 +50,7 @@ def machine():
 
 
 def main(report, table):
-    rows = []
+    rows, load = [], os.getloadavg()[0]
     # The browser does not wait for a screen's next refresh, which would be counted with its work.
     with Browser(1366, 900, "--disable-frame-rate-limit", "--disable-gpu-vsync") as browser:
         version = browser.call("Browser.getVersion")["product"].split("/")[1].split(".")[0]
@@ -62,7 +62,7 @@ def main(report, table):
             most = statistics.quantiles(picture, n=10)[-1]
             rows.append({"moved": name, "drawn, ms": f"{statistics.median(drawing):.1f}",
                          "picture, ms": f"{statistics.median(picture):.1f}", "nine in ten, ms": f"{most:.1f}",
-                         "browser": f"Chromium {version}", "machine": machine(),
+                         "browser": f"Chromium {version}", "machine": machine(), "its load": f"{load:.1f}",
                          "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat()})
             print(", ".join(rows[-1].values()), flush=True)
     with open(table + ".tmp", "w", encoding="utf-8", newline="") as file:

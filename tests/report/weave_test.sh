@@ -667,7 +667,7 @@ END
   printf 'two.md:%s\n' '9: missing chunk <<nowhere>>' '5: unknown reference @eq:nowhere' | diff - errors || fail "other mistakes"
   local text
   text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
-  [ "$text" = '2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere>> used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
+  [ "$text" = ' 2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere>> used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
     fail "the page: $text"
 }
 
@@ -719,9 +719,11 @@ END
   local text
   text=$(sed '1,/<article/d; s/<annotation[^<]*<.annotation>//g; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
   text=${text%% Colophon*}
-  [ "$text" = '1 Second 1.1 Inner See Eq. (1) of the report, Eq. (1), Eq. (1) of the report and Eq. (1), Section 1 of the report and ⟨A part 1⟩. b (1) Paper only. 1.2 Other In both.' ] ||
+  [ "$text" = ' 1 Second 1.1 Inner See Eq. (1) of the report, Eq. (1), Eq. (1) of the report and Eq. (1), Section 1 of the report and ⟨A part 1⟩. b (1) Paper only. 1.2 Other In both.' ] ||
     fail "the page: $text"
   if grep -q 'All of it' page.html; then fail "the abstract of the report is in the short version"; fi
+  [ "$(xmllint --xpath "count(//*[@id='text']/*[local-name()='section'][*[local-name()='h2']])" page.html)" = 2 ] ||
+    fail "chapter and colophon are no sections of their own"
   expect_html 'Part of it' '<div class="brief">' 'href="report.html#eq:a"' 'href="#eq:b"' 'href="report.html#lst:part"'
 }
 
