@@ -150,6 +150,68 @@ Solution solve_to(const Sample& x, double tolerance) {
   return thermoroll::solve(x.scene, signed_given(x), approach);
 }
 
+/// The scene in SI units of a steel of its own, with a creep as a fraction of the speed and a
+/// traction as a load.
+GivenScene in_si(const Sample& x) {
+  const double width = 5e-3, load = 1e7, poisson = 0.3, diffusivity = 1.4e-5, conductivity = 50;
+  const Scene& scene = x.scene;
+  const auto expansion = [&](double heating, double k, double conducts) {
+    return heating * width * conducts / (2 * (1 + poisson) * k * load);
+  };
+  PhysicalScene si{load,        2 * diffusivity * scene.peclet / width,
+                   width,       8.1e10,
+                   poisson,     expansion(scene.heating, diffusivity, conductivity),
+                   diffusivity, conductivity};
+  if (const Roller& roller = scene.roller; roller.conductivity_ratio > 0) {
+    si.conductivity_2 = roller.conductivity_ratio * conductivity;
+    si.diffusivity_2 = roller.peclet > 0 ? diffusivity * scene.peclet / roller.peclet : diffusivity;
+    si.expansion_2 = expansion(roller.heating, si.diffusivity_2, si.conductivity_2);
+  }
+  si.direction = scene.direction;
+  const Units unit = units_of(si, scene.friction);
+  if (scene.bulk_difference != 0) si.bulk_temperature = 20;
+  if (scene.bulk_difference != 0)
+    si.bulk_temperature_2 = 20 + scene.bulk_difference * unit.temperature;
+  if (const auto* law = scene.law.target<LawOfFriction>()) {
+    si.law = *law;
+    si.law->of.scale *= unit.temperature;
+    si.law->of.reference *= unit.temperature;
+  }
+  Prescribed given = signed_given(x);
+  const bool creeps = given.quantity == creep;
+  if (creeps) given.value *= unit.slip / si.speed;
+  return {{scene.friction, 0, 0},
+          given,
+          {x.formulation, x.tolerance, Method::coupled},
+          si,
+          {},
+          creeps ? CreepUnit::ratio : CreepUnit::scaled};
+}
+
+/// In SI units the groups differ by some roundings. Results and errors are those of the scene.
+void examine_in_si(const Record& record, const Sample& x, const CoupledSolution& found) try {
+  const SolvedScene y = solve_scene(in_si(x));
+  if (!y.solution.converged || !y.solution.violations.empty()) return;
+  const Results error = 10 * (found.error + *y.solution.error) + 1e-12 * scale_of(found.value);
+  const double sign = sign_of(x.scene.direction);
+  for (int i = 0; i < compared; ++i) {
+    const auto quantity = static_cast<Quantity>(i);
+    const bool turns = quantity == traction || quantity == creep || quantity == creep_constant;
+    const double value = y.solution.value[i];
+    record.within("a scene in SI units is the same",
+                  (turns ? std::abs(value) - std::abs(found.value[i]) : value - found.value[i]),
+                  error[i]);
+    if (turns && quantity != creep_constant)
+      record.require("a scene in SI units has its sign", value * sign >= 0);
+  }
+  const PhysicalResults& si = y.physical->value;
+  record.require("results in SI units are finite",
+                 std::isfinite(si.radius + si.max_pressure + si.max_traction + si.max_heat_flux +
+                               si.dissipation + y.physical->error->max_pressure));
+} catch (const std::exception& error) {
+  record.beside("the scene in SI units", words_of(error.what()));
+}
+
 /// A solution to 1e-10 where it can be had, else a hundred times as accurate as is asked for, or
 /// 1e-8.
 Solution finer(const Sample& x) {
@@ -532,6 +594,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
     examine_least_model(record, x, found);
     if (depth >= Depth::again) {
       examine_again(record, x, found);
+      if (number % 10 == 2) examine_in_si(record, x, found);
       if (x.scene.friction * heating_of_both(x.scene) <= 50) examine_error(record, x, found);
     }
     if (depth < Depth::profiles || !is_plain(x.scene)) return;
