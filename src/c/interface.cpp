@@ -233,6 +233,28 @@ std::string in_short(const std::vector<std::string>& notes) {
   return text;
 }
 
+void require_finite(bool all) {
+  if (!all) throw NotConverged("no finite result was found: some data are too large or too small");
+}
+
+/// All numbers but so many of the last, which may be NaN.
+template <class Numbers>
+void require_finite(const Numbers& x, std::ptrdiff_t but) {
+  double all[sizeof x / sizeof(double)];
+  std::memcpy(all, &x, sizeof x);
+  require_finite(
+      std::all_of(std::begin(all), std::end(all) - but, [](double y) { return std::isfinite(y); }));
+}
+
+void require_finite(const thermoroll_result& x, bool has_error, bool in_si) {
+  require_finite(x.value, 2);
+  if (has_error) require_finite(x.error, 2);
+  if (!in_si) return;
+  require_finite(x.unit, 0);
+  require_finite(x.physical, 1);
+  if (has_error) require_finite(x.physical_error, 1);
+}
+
 thermoroll_result result_of(const SolvedScene& solved) {
   const auto& [x, units, physical] = solved;
   thermoroll_result to = empty_result();
@@ -246,9 +268,9 @@ thermoroll_result result_of(const SolvedScene& solved) {
   write(x.reason, to.message);
   if (units)
     to.unit = {units->length, units->traction, units->slip, units->heat_flux, units->temperature};
-  if (!physical) return to;
-  copy(*physical, to);
-  write(in_short(physical->notes), to.notes);
+  if (physical) copy(*physical, to);
+  if (physical) write(in_short(physical->notes), to.notes);
+  require_finite(to, x.error.has_value(), physical.has_value());
   return to;
 }
 
@@ -427,8 +449,13 @@ int thermoroll_profile(const thermoroll_scene* scene, thermoroll_result* result,
     require(2 <= count && count <= 100000, "count", static_cast<double>(count), "from 2 to 100000");
     const SolvedScene x = solve_scene(given_scene(*scene));
     refuse_what_is_no_contact(x.solution);
-    copy(profile(x.solution, static_cast<int>(count)), points);
+    const Profile found = profile(x.solution, static_cast<int>(count));
+    require_finite((found.pressure * 0 + found.traction * 0 + found.slip * 0 + found.heat_flux * 0 +
+                        found.temperature * 0 ==
+                    0)
+                       .all());
     told = result_of(x);
+    copy(found, points);
   });
   for (size_t k = 0; k < count; ++k) points[k].status = told.status;
   *result = told;

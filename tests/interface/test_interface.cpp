@@ -607,6 +607,29 @@ TEST(Interface, ProfileIsThatOfTheLibrary) {
   }
 }
 
+// Data that overflow: the program says the same with the same status, and writes nothing.
+TEST(Interface, OnlyFiniteAnswers) {
+  thermoroll_scene slow = steel(), tough = wheel();
+  slow.peclet = 5e-324;
+  slow.method = THERMOROLL_CLOSED_FORM;
+  tough.friction_law = THERMOROLL_CONSTANT;
+  tough.friction_temperature = tough.friction_floor = 0;
+  tough.method = THERMOROLL_CLOSED_FORM;
+  tough.friction = 1e300;
+  for (const thermoroll_scene& scene : {slow, tough}) {
+    const thermoroll_result x = answer(scene);
+    EXPECT_EQ(x.status, THERMOROLL_NOT_CONVERGED);
+    EXPECT_EQ(std::string(x.message).find("no finite result was found"), 0U) << x.message;
+    expect_nan(x.value);
+    expect_nan(x.physical);
+    thermoroll_result result;
+    for (const thermoroll_point& point : points_of(scene, 3, result)) {
+      EXPECT_EQ(point.status, THERMOROLL_NOT_CONVERGED);
+      EXPECT_TRUE(std::isnan(point.s));
+    }
+  }
+}
+
 TEST(Interface, ProfilesThatAreNot) {
   thermoroll_scene refused = steel(), unknown = steel();
   refused.friction = -1;
