@@ -152,12 +152,13 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     const double by_rounding = 4e-15 * std::abs(given.value);
     if (std::abs(moved) > by_rounding) slope = (level.value - last.value) / moved;
-    const double room = std::min(at.slip, at.stick);
-    const double near = std::max(1e-3 * room, std::abs(slope(stick_slip_border)) * by_rounding);
+    const double noise = std::abs(slope(stick_slip_border)) * by_rounding;
+    const double room = std::min(at.slip, at.stick), near = std::max(1e-3 * room, noise);
+    const double least = given.quantity == creep ? std::max(noise, 1e-15) : 1e-15;
     double step = slope(stick_slip_border) * residual(level, given);
+    if (!(room > least && std::isfinite(step))) break;  // the border leaves the contact
     if (k > 0 && std::abs(step) <= near) return level;
-    if (std::abs(step) < near) step = near;             // a second border, for the derivative
-    if (!(room > 1e-15 && std::isfinite(step))) break;  // the border leaves the contact
+    if (std::abs(step) < near) step = near;  // a second border, for the derivative
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
   level.newton_steps = 0;

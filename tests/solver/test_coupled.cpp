@@ -267,6 +267,17 @@ TEST(Coupled, NextToFullSlip) {
   }
 }
 
+// At the creep 2 f / pi, to the last bit, all of the contact slips; no stick zone of a few
+// roundings is taken for one.
+TEST(Coupled, AtTheCreepOfFullSlip) {
+  for (const double f : {0.3, 0.6, 1.0}) {
+    const CoupledSolution x = solve_coupled({f, 100, 0}, {Formulation::corrected, 1e-5},
+                                            {Quantity::creep, 2 * f / thermoroll::pi});
+    EXPECT_EQ(x.value(Quantity::traction), f);
+    EXPECT_EQ(x.value(Quantity::stick_slip_border), -1);
+  }
+}
+
 }  // namespace
 
 // @eq:pressure-conditions and @eq:stick-conditions typed once more, F and G by the adaptive
