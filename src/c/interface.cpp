@@ -172,7 +172,7 @@ void copy(const Results& from, thermoroll_values& to) {
 void share_heat(const Scene& scene, const CoupledSolution* found, thermoroll_result& to) {
   const double heat = to.value.heat_integral, share = effusivity_share(scene);
   to.value.heat_1 = share * heat;
-  to.value.heat_2 = effusivity_ratio(scene) * share * heat;
+  to.value.heat_2 = effusivity_ratio(scene) * to.value.heat_1;
   to.error.heat_1 = share * to.error.heat_integral;
   to.error.heat_2 = effusivity_ratio(scene) * to.error.heat_1;
   if (found == nullptr || !found->crossing) return;

@@ -24,9 +24,9 @@ using enum Quantity;
 
 namespace {
 
-/// The error estimated from the tail of h on a grid of n unknowns, and of so many times its square
-/// in a layer; slow if convergence is slow.
-double unresolved(double tail, int n, bool slow, double in_layer = 30) {
+/// The error estimated from the tail of h on a grid of n unknowns; in a layer at most so many times
+/// its square. Slow if convergence is slow.
+double unresolved(double tail, int n, bool slow, double in_layer) {
   const double part = (n < 30 ? 20.0 : 10.0) / n / n;
   const bool early = n <= 100 && (slow || n >= 30);
   const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
@@ -63,22 +63,24 @@ Results estimate(const Results& change, double now, double before, int n, bool s
   error(max_temperature) =
       std::min(product, std::clamp(now / before, part / 4, part)) * change(max_temperature);
   const double largest = error.head(compared).maxCoeff();
-  error = error.max(std::max(0.3 * largest, unresolved(now, n, slow))) + rules + 1e-14 * size;
+  error = error.max((n < 30 ? 1 : 0.3) * largest);
+  error = error.max(unresolved(now, n, slow, slow ? 200 : 30)) + rules + 1e-14 * size;
   error(max_temperature) += 2 * rules;
   return error;
 }
 
 /// After a grid of n unknowns and the one before it, for an estimate that is so many times the
-/// tolerance.
+/// tolerance; 0 if tails do not tell.
 int next_unknowns(int n, const GridSolution& last, const GridSolution& level, double missing) {
   const auto before = static_cast<int>(last.h.size()), now = static_cast<int>(level.h.size());
   double next = 2 * n;
-  if (now > before && !level.crossing) {
+  if (now > before && missing > 0 && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
     if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 6, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
-  return std::min((static_cast<int>(next) + group - 1) / group * group, most_unknowns);
+  const int least = static_cast<int>(std::ceil(next));
+  return std::min((least + group - 1) / group * group, most_unknowns);
 }
 
 double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now) {
@@ -158,7 +160,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : 0.02;
+  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : slow ? 0.004 : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   Results left = estimate(change, now, then, n, slow);
@@ -171,6 +173,21 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left.setConstant(std::max(flat ? 0 : left.head(compared).maxCoeff(), least));
   }
   return {value, change, left + rounding(given, slope, scale)};
+}
+
+GridSolution at_predicted_border(const Scene& scene, Formulation formulation, int n,
+                                 const Prescribed& given, GridSolution level, Results& slope) {
+  for (int k = 0; k < 5; ++k) {
+    const GridSolution last = level;
+    const double step = slope(stick_slip_border) * residual(last, given);
+    level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
+    if (level.newton_steps == 0) break;
+    const double moved = level.value(given.quantity) - last.value(given.quantity);
+    if (k > 0 && moved != 0) slope = (level.value - last.value) / moved;
+    const Results left = slope * residual(level, given) / scale_in(scene, level.value);
+    if (left.head(compared).abs().maxCoeff() < 0.01) break;
+  }
+  return level;
 }
 
 CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
@@ -290,7 +307,9 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
       level = last;
     }
     if (n == most_unknowns) break;
-    n = scene.law ? unknowns_after(n) : next_unknowns(n, last, level, worst / tolerance);
+    const bool steady = !level.crossing && !converges_slowly(scene, level.at);
+    const double missing = worst / tolerance;
+    n = scene.law ? unknowns_after(n) : next_unknowns(n, last, level, steady ? missing : 0);
   }
   const bool only_verdict = found.worst() <= tolerance;
   throw NotResolved((only_verdict ? "coupled: whether it is a contact is not resolved"
@@ -312,8 +331,7 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
   if (level.newton_steps == 0) return solve_full_slip(scene, approach, given.value);
   return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
-    const double step = slope(stick_slip_border) * residual(last, given);
-    return solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
+    return at_predicted_border(scene, formulation, n, given, last, slope);
   });
 }
 

@@ -641,7 +641,7 @@ struct SoakScene {
 // it is not the double, and then the estimate falls by what was missing, or nearly so.
 TEST(Coupled, TheNextGridIsPredicted) {
   int predicted = 0;
-  for (const double heating : {0.0175, 0.3, 1.0})
+  for (const double heating : {0.0175, 0.3, 1.0})  // f H is at most 0.6, so none is slow
     for (const double peclet : {10.0, 1e3, 1e5}) {
       const CoupledSolution x = solve_coupled(
           {0.6, peclet, heating}, {Formulation::corrected, 1e-9}, {Quantity::traction, 0.5});
