@@ -336,9 +336,10 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
 }
 
 void add_eccentricity(Results& value, Results& error) {
-  const double kappa = value(load_ratio), shift = std::abs(value(gamma0)) / kappa;
+  const double kappa = value(load_ratio), size = std::abs(kappa);
   value(eccentricity) = pi * value(gamma0) / (2 * kappa);
-  error(eccentricity) = pi / (2 * kappa) * (error(gamma0) + shift * error(load_ratio));
+  const double of_load = std::abs(value(gamma0)) / size * error(load_ratio);
+  error(eccentricity) = pi / (2 * size) * (error(gamma0) + of_load);
 }
 
 double rounding(const Prescribed& given, const Results& slope, const Results& scale) {
@@ -349,7 +350,7 @@ double rounding(const Prescribed& given, const Results& slope, const Results& sc
 Results scale_of(const Results& v) {
   Results scale = Results::Ones();
   for (const Quantity q : {creep_constant, creep, heat_integral, max_temperature})
-    scale(q) = std::abs(v(q));
+    scale(q) = std::max(std::abs(v(q)), 1e-300);  // T* is 0 where no heat is positive
   return scale;
 }
 

@@ -202,7 +202,7 @@ void examine_in_si(const Record& record, const Sample& x, const CoupledSolution&
                   (turns ? std::abs(value) - std::abs(found.value[i]) : value - found.value[i]),
                   error[i]);
     if (turns && quantity != creep_constant)
-      record.require("a scene in SI units has its sign", value * sign >= 0);
+      record.require("a scene in SI units has its sign", value * sign * found.value[i] >= 0);
   }
   const PhysicalResults& si = y.physical->value;
   record.require("results in SI units are finite",

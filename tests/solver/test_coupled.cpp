@@ -267,6 +267,23 @@ TEST(Coupled, NextToFullSlip) {
   }
 }
 
+// A solution that is no contact may have a negative load ratio, or no heat that is positive; its
+// errors are numbers all the same, and none is negative.
+TEST(Coupled, ErrorsOfNoContactAreNumbers) {
+  thermoroll::Scene cold{0.037001845447890494, 0.9125567705863145, 279.1136291650614};
+  cold.roller = {8.287213072714986, 285.08624253291083};
+  thermoroll::Scene pulled{0.15742745460834529, 134.77543342836174, 189.89889902881708};
+  pulled.roller = {37.11815228384096, 80.26671135471769};
+  pulled.bulk_difference = -0.008242606293321285;
+  for (const CoupledSolution& x :
+       {solve_coupled(cold, {Formulation::corrected, 1e-6}, {Quantity::traction, 0.031}),
+        solve_coupled(pulled, {Formulation::printed, 1e-6}, {Quantity::stick_slip_border, 0.95})}) {
+    EXPECT_FALSE(x.violations.empty());
+    EXPECT_TRUE(x.value.allFinite());
+    EXPECT_TRUE((x.error >= 0).all());
+  }
+}
+
 // At the creep 2 f / pi, to the last bit, all of the contact slips; no stick zone of a few
 // roundings is taken for one.
 TEST(Coupled, AtTheCreepOfFullSlip) {
