@@ -27,11 +27,10 @@ namespace {
 /// The error estimated from the tail of h on a grid of n unknowns; in a layer at most so many times
 /// its square. Slow if convergence is slow.
 double unresolved(double tail, int n, bool slow, double in_layer) {
-  const double part = (n < 30 ? 20.0 : 10.0) / n / n;
   const bool early = n <= 100 && (slow || n >= 30);
   const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
   const double layer = tail > large ? std::min(in_layer * tail, 1.0) : 0;
-  return tail * std::max(part, layer);
+  return tail * std::max((n < 30 ? 20.0 : 10.0) / n / n, layer);
 }
 
 /// Large f H, or a zone of less than a twentieth of the contact.
@@ -70,11 +69,13 @@ Results estimate(const Results& change, double now, double before, int n, bool s
 }
 
 /// After a grid of n unknowns and the one before it, for an estimate that is so many times the
-/// tolerance; 0 if tails do not tell.
-int next_unknowns(int n, const GridSolution& last, const GridSolution& level, double missing) {
+/// tolerance.
+int next_unknowns(const Scene& scene, int n, const GridSolution& last, const GridSolution& level,
+                  double missing) {
   const auto before = static_cast<int>(last.h.size()), now = static_cast<int>(level.h.size());
   double next = 2 * n;
-  if (now > before && missing > 0 && level.violations.empty()) {
+  const bool steady = !level.crossing && !converges_slowly(scene, level.at);
+  if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
     if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 6, 1.3 * n, next);
   }
@@ -307,9 +308,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
       level = last;
     }
     if (n == most_unknowns) break;
-    const bool steady = !level.crossing && !converges_slowly(scene, level.at);
-    const double missing = worst / tolerance;
-    n = scene.law ? unknowns_after(n) : next_unknowns(n, last, level, steady ? missing : 0);
+    n = scene.law ? unknowns_after(n) : next_unknowns(scene, n, last, level, worst / tolerance);
   }
   const bool only_verdict = found.worst() <= tolerance;
   throw NotResolved((only_verdict ? "coupled: whether it is a contact is not resolved"

@@ -48,15 +48,18 @@ struct SurfaceHeat {
   double behind(double distance) const {
     return temperature_sum(conduction, last, at_last, -1, conduction.peclet * distance);
   }
+
   /// Of one body, over exp(-2 Pe distance).
   double growth_before(double distance) const {
     const GradedArray heat = at_first * (-2 * first.zeta).exp();
     return temperature_sum(conduction, first, heat, -1, conduction.peclet * distance);
   }
+
   /// At the distances 1 + y and 1 - y from its ends.
   double inside(double left, double right) const {
     return from(left, right, 1) + from(right, left, -1);
   }
+
   double from(double behind, double ahead, double side) const {
     GradedRule graded;
     grade(graded, conduction.peclet * slip, 0, behind, ahead, rule);

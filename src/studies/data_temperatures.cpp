@@ -15,7 +15,7 @@ namespace {
 
 void temperature_curve(std::ostream& out, double load, double pe) {
   const HeatFlux flux = coupled_flux(paper::coupled(load, pe, Formulation::corrected));
-  for (const double s : grid(-1, 3, 250))
+  for (const double s : grid(-1, 3, 240))
     row(out, "corrected", load, pe, s, temperature(flux, pe, s).value);
   const PublishedSolution x = paper::scheme(load, pe);
   std::vector<double> points(x.grid.s.begin(), x.grid.s.end());
@@ -42,8 +42,8 @@ const FigureData temperature_load_data{"temperature-load", temperature_by_load};
 void subsurface(std::ostream& out) {
   row(out, "s", "y", "T");
   const HeatFlux flux = coupled_flux(paper::coupled(0.5, 100, Formulation::corrected));
-  for (const double y : grid(0, 0.5, 32))
-    for (const double s : grid(-1.5, 3, 120)) row(out, s, y, temperature(flux, 100, s, y).value);
+  for (const double y : grid(0, 0.5, 28))
+    for (const double s : grid(-1.5, 3, 135)) row(out, s, y, temperature(flux, 100, s, y).value);
 }
 
 const FigureData subsurface_data{"subsurface", subsurface};
