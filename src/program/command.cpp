@@ -252,6 +252,7 @@ void run_temperature(const Options& o) {
   for (const double depth : depths) require(depth >= 0, "depth", depth, "zero or positive");
   const auto [x, units, physical] = solve_scene(read_scene(o.of_scene));
   std::vector<DepthCurve> curves;
+  curves.reserve(depths.size());
   for (const double depth : depths) curves.push_back({depth, temperature_curve(x, at, depth)});
   deliver({{curve_csv(curves, units), o.output}});
   conclude(x, physical, o.of_scene);

@@ -49,6 +49,7 @@ bool has_name(const std::vector<std::string>& names, const std::string& name) {
 
 std::vector<std::string> names_of(const std::vector<Field>& fields) {
   std::vector<std::string> names;
+  names.reserve(fields.size() + 2);
   for (const Field& field : fields) names.push_back(field.name);
   names.insert(names.end(), {"status", "error"});
   return names;
@@ -144,7 +145,7 @@ std::string given_column(const SweepTable& t) {
     has_results = has_results || (x.option.empty() && !x.is_label);
   }
   if (!has_results) return "";
-  const std::string given = t.how.given.empty() && there.size() == 1 ? there[0] : t.how.given;
+  std::string given = t.how.given.empty() && there.size() == 1 ? there[0] : t.how.given;
   if (given.empty())
     throw std::invalid_argument(
         "the table has results: --given says which of its columns prescribes, as in --given creep");
@@ -221,9 +222,10 @@ std::vector<WrittenColumn> all_columns(const SweepTable& t) {
 }
 
 std::vector<WrittenColumn> wanted_columns(const SweepTable& t) {
-  const std::vector<WrittenColumn> all = all_columns(t);
+  std::vector<WrittenColumn> all = all_columns(t);
   if (t.how.columns.empty()) return all;
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const WrittenColumn& x : all) names.push_back(x.name);
   std::vector<WrittenColumn> wanted;
   for (const std::string& name : t.how.columns) {

@@ -406,7 +406,7 @@ ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
 CrossingFlux flux_for_depths(const Scene& scene, Formulation formulation, const SmoothFlux& by) {
   const ArrayXd s = ArrayXd::LinSpaced(40, -1, 1);
   const auto solved_with = [&](int nodes, ArrayXd& temperature) {
-    const auto all = exchanged_fluxes(scene, formulation, by, nodes);
+    auto all = exchanged_fluxes(scene, formulation, by, nodes);
     for (const ExchangedFlux& e : all)
       temperature += temperature_of(e, scene.peclet, s, gauss_legendre(96));
     return all;

@@ -93,8 +93,7 @@ GridSolution followed_full_slip(const Scene& scene, Formulation formulation, dou
   };
   if (x.beyond.newton_steps > 0) refuse_without_contact(scene, formulation, creep, x);
   if (loaded(found)) return found;
-  const GridSolution last =
-      solve_slipping_grid(scene, formulation, followed_unknowns, creep, x.contact);
+  GridSolution last = solve_slipping_grid(scene, formulation, followed_unknowns, creep, x.contact);
   if (loaded(last)) return last;
   refuse_without_contact(scene, formulation, creep, x);
 }

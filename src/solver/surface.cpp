@@ -98,7 +98,7 @@ FromEnds in_y(const FromEnds& x, double slip) {
 /// f at all x in [-1, 1]: itself, or a polynomial through n or more of its values; and its error.
 SurfaceCurve at_many_places(const std::function<double(double)>& f, const ArrayXd& x, int n,
                             double tolerance) {
-  for (; 4 * n <= 3 * x.size() && n <= most_unknowns; n *= 2) {
+  for (; n <= 3 * x.size() / 4 && n <= most_unknowns; n *= 2) {
     const GaussLegendre& rule = gauss_legendre(n);
     const VectorXd c = to_legendre(rule) * rule.x.unaryExpr(f).matrix();
     const double error = 2 * c.tail(n / 8).lpNorm<1>();
