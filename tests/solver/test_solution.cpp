@@ -660,8 +660,8 @@ TEST(Solution, SiErrorsCoverATighterSolution) {
 // The scene of a radius, solved loosely, is the scene of the half-width from which that radius
 // came: all that is reported of the latter, tightly, lies within the errors of the former. All of
 // it goes with a power of the half-width of one at least, and so has its relative error on top, but
-// for rounding in the difference of two errors. The tolerance is that of the results; the peaks, of
-// which it does not ask anything, have errors of less than ten times it here.
+// for rounding in the difference of two errors. The results keep five times the tolerance; it asks
+// nothing of the peaks along the contact.
 TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
   for (const double load : {1.2e7, 1e8})
     for (const Formulation formulation : {Formulation::printed, Formulation::corrected}) {
@@ -682,7 +682,10 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
           EXPECT_NEAR(x.value.*field, exact.value.*field, *x.error.*field + *exact.error.*field);
           EXPECT_GE(*x.error.*field - *given_size.error.*field, 0.99 * of_size * x.value.*field);
           EXPECT_GT(*x.error.*field, 0);
-          EXPECT_LT(*x.error.*field, 10 * tolerance * x.value.*field);
+          const bool is_peak = field == &PhysicalResults::max_pressure ||
+                               field == &PhysicalResults::max_traction ||
+                               field == &PhysicalResults::max_heat_flux;
+          EXPECT_LT(*x.error.*field, (is_peak ? 10 : 5) * tolerance * x.value.*field);
         }
         c.half_width = exact.value.half_width;
       }
