@@ -200,7 +200,7 @@ void name_friction_law(const Scene& alone) {
     name_extension(what, scene, solve_of(scene, given), given);
   const Solve curve = [scene] {
     for (int times = 0; times < 3; ++times) {
-      const CreepLaw law = creep_law(scene, sign);
+      const CreepLaw law = creep_law(scene, sign, 1e-4, {0, 1});
       for (int i = 1; i <= 100; ++i) benchmark::DoNotOptimize(evaluate(law, 0.01 * i));
     }
   };

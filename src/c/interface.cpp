@@ -471,7 +471,9 @@ thermoroll_law* thermoroll_law_new(const thermoroll_scene* scene, double reach,
   attempt(*info, [&] {
     const Approach by = approach_of(*scene);
     const auto [of, unit] = scene_of_law(*scene);
-    const CreepLaw law = creep_law(of, by.formulation, by.tolerance, reach / unit.creep);
+    if (!(reach > 0)) require(false, "reach", reach, "positive");
+    const double farthest = reach / unit.creep;
+    const CreepLaw law = creep_law(of, by.formulation, by.tolerance, {-farthest, farthest});
     tell(law, unit, *info);
     made = new thermoroll_law{law, unit};
     info->status = THERMOROLL_DONE;

@@ -155,8 +155,9 @@ int thermoroll_creep_curve() {
   }
   const double first = next_to_full_slip(scene, formulation, 20).value(creep);
   x = {};
+  SlippingGrids grids{scene, formulation};
   for (int i = 0; i < points; ++i) {
-    x = solve_slipping_grid(scene, formulation, 20, first * (1 + 2.0 * i / points), x);
+    x = solve_slipping_grid(grids, 20, first * (1 + 2.0 * i / points), x);
     if (!row(x)) return static_cast<int>(to - curve) - 3;
   }
   return static_cast<int>(to - curve);

@@ -332,9 +332,8 @@ void run_creep_curve(const Options& o) {
                to = last_end.asked ? *last_end.asked * last_end.unit : far;
   require(from < to, first_end.name, first_end.asked.value_or(from),
           "below --" + last_end.name + ", " + shortest(last_end.asked.value_or(to)));
-  const double reach = std::max(std::abs(from), std::abs(to));
   const CreepLaw law =
-      creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), reach);
+      creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), {from, to});
   const LawHalf &first = from < 0 ? law.braking : law.driving,
                 &last = to < 0 ? law.braking : law.driving;
   const CurveRange range{bound(first_end, from, first), bound(last_end, to, last), o.points};

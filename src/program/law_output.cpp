@@ -107,7 +107,7 @@ std::string told(const CreepLaw& law, const Scene& scene, const std::optional<La
 constexpr const char* c_series = R"(
 static double series(const double *c, double x, double *slope) {
   double b = 0, before = 0, d = 0, d_before = 0;
-  for (int j = 8; j > 0; --j) {
+  for (int j = terms - 1; j > 0; --j) {
     const double next = 2 * x * b - before + c[j], d_next = 2 * x * d - d_before + 2 * b;
     before = b;
     b = next;
@@ -131,8 +131,8 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   const double per_z = 2 / (to_z[k] - from_z[k]);
   const double x = fmin(1, fmax(-1, per_z * (z - from_z[k]) - 1));
   double by_x, unused;
-  const double q = series(traction_terms + 9 * k, x, &by_x);
-  const double t = fmax(0, series(temperature_terms + 9 * k, x, &unused));
+  const double q = series(traction_terms + terms * k, x, &by_x);
+  const double t = fmax(0, series(temperature_terms + terms * k, x, &unused));
   const int sticks = from_z[k] < 1;
   *traction = traction_unit * sign * q * (sticks ? size : 1);
   *slope = traction_unit / creep_unit *
@@ -144,6 +144,7 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
 
 std::string in_c(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
   std::string text = comment + "#include <math.h>\n\n";
+  text += "enum { terms = " + std::to_string(law_terms) + " };\n";
   text += "static const double creep_unit = " + shortest(unit.creep) +
           ", traction_unit = " + shortest(unit.traction) +
           ", temperature_unit = " + shortest(unit.temperature) + ";\n";
@@ -174,8 +175,8 @@ def creep_law(creep):
         k += 1
     per_z = 2 / (to_z[k] - from_z[k])
     x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
-    q, by_x = series(traction_terms[9 * k:9 * k + 9], x)
-    t = max(0.0, series(temperature_terms[9 * k:9 * k + 9], x)[0])
+    q, by_x = series(traction_terms[terms * k:terms * (k + 1)], x)
+    t = max(0.0, series(temperature_terms[terms * k:terms * (k + 1)], x)[0])
     if from_z[k] < 1:
         q, slope = size * q, q + z * per_z * by_x / 2
     else:
@@ -184,7 +185,7 @@ def creep_law(creep):
 )";
 
 std::string in_python(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
-  std::string text = comment + "import math\n\n";
+  std::string text = comment + "import math\n\nterms = " + std::to_string(law_terms) + "\n";
   text += "creep_unit = " + shortest(unit.creep) + "\ntraction_unit = " + shortest(unit.traction) +
           "\ntemperature_unit = " + shortest(unit.temperature) + "\n";
   for (const LawTable& table : tables_of(law))
@@ -207,16 +208,16 @@ algorithm
     per_z := 2 / (to_z[k] - from_z[k]);
     x := min(1, max(-1, per_z * (z - from_z[k]) - 1));
     b := {0, 0}; before := {0, 0}; d := {0, 0}; d_before := {0, 0};
-    for j in 9:-1:2 loop
-      next := 2 * x * b - before + {traction_terms[9 * (k - 1) + j], temperature_terms[9 * (k - 1) + j]};
+    for j in terms:-1:2 loop
+      next := 2 * x * b - before + {traction_terms[terms * (k - 1) + j], temperature_terms[terms * (k - 1) + j]};
       before := b;
       b := next;
       next := 2 * x * d - d_before + 2 * before;
       d_before := d;
       d := next;
     end for;
-    q := x * b[1] - before[1] + traction_terms[9 * (k - 1) + 1];
-    t := max(0, x * b[2] - before[2] + temperature_terms[9 * (k - 1) + 1]);
+    q := x * b[1] - before[1] + traction_terms[terms * (k - 1) + 1];
+    t := max(0, x * b[2] - before[2] + temperature_terms[terms * (k - 1) + 1]);
     by_x := b[1] + x * d[1] - d_before[1];
 )";
 
@@ -236,6 +237,7 @@ end creep_law;
 std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
   std::string text = comment + "function creep_law\n  input Real creep;\n";
   text += "  output Real traction, slope, temperature;\n  output Integer status;\nprotected\n";
+  text += "  constant Integer terms = " + std::to_string(law_terms) + ";\n";
   text += "  constant Real creep_unit = " + shortest(unit.creep) +
           ", traction_unit = " + shortest(unit.traction) +
           ", temperature_unit = " + shortest(unit.temperature) + ";\n";

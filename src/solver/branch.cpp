@@ -26,16 +26,16 @@ struct CreepCurve {
   Formulation formulation;
   int n;
   double all_slips = 0;  // xi1*, 0 as long as it is not known
+  SlippingGrids slipping{scene, formulation};
 };
 
 GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from) {
-  const auto& [scene, formulation, n, known] = curve;
+  const auto& [scene, formulation, n, known, unused] = curve;
   if (rho < 1)
     return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho}, from);
   if (known == 0) curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
   const bool slips = from.at.slip == 2;
-  return solve_slipping_grid(scene, formulation, n, known / (2 - rho),
-                             slips ? from : GridSolution{});
+  return solve_slipping_grid(curve.slipping, n, known / (2 - rho), slips ? from : GridSolution{});
 }
 
 struct OnCurve {
@@ -243,16 +243,15 @@ Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
 
 /// Solve with n unknowns at the point that the derivative gives, until less than share of each
 /// result is left to correct; slope, the derivative by the traction, is improved.
-GridSolution settle(const CreepCurve& curve, const Prescribed& given, const GridSolution& from,
+GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolution& from,
                     Results& slope, double share) {
-  const auto& [scene, formulation, n, unused] = curve;
+  auto& [scene, formulation, n, unused, slipping] = curve;
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
     const GridSolution last = level;
     const double missing = residual(last, given);
     level = last.at.stick == 0
-                ? solve_slipping_grid(scene, formulation, n,
-                                      last.value(creep) + slope(creep) * missing, last)
+                ? solve_slipping_grid(slipping, n, last.value(creep) + slope(creep) * missing, last)
                 : solve_on_grid(scene, formulation, n,
                                 moved_by(last.at, slope(stick_slip_border) * missing), last);
     if (level.newton_steps == 0) break;

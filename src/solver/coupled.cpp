@@ -214,7 +214,7 @@ GridStep step_of(const GridSolution& level) {
 /// The grid of n unknowns at the border of a solution, or in full slip.
 ContactGrid grid_of(const CoupledSolution& x, int n) {
   if (x.value(Quantity::stick_slip_border) == -1)
-    return full_slip_grid(x.scene, x.formulation, n, x.value(Quantity::creep));
+    return at_creep(full_slip_grid(x.scene, x.formulation, n), x.value(Quantity::creep));
   return contact_grid(x.scene, x.formulation,
                       {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border)},
                       n);

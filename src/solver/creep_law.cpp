@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <tuple>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -41,11 +40,12 @@ SeriesValue clenshaw(const LawSeries& c, double x) {
   return {x * b - before + c[0], b + x * d - d_before};
 }
 
-/// A scene in its direction, and the creep at which its stick zone vanishes.
+/// A scene in its direction, the creep at which its stick zone vanishes, and grids beyond it.
 struct HalfCurve {
   Scene scene;
   Formulation formulation;
   double all_slips;
+  SlippingGrids slipping{scene, formulation};
 };
 
 /// The solution's largest T*. With strong heat there may be two maxima, the hotter one at the
@@ -58,12 +58,12 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
 }
 
 /// The solution at w of @eq:law-sampling on a grid of n unknowns, from one near by or from none.
-GridSolution solution_at(const HalfCurve& curve, int n, double w, GridSolution near) {
+GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   const double full_slip_creep = curve.all_slips / std::max(2 - w, 1e-8);
   const auto from = [&](const GridSolution& start) {
     const ZoneLengths at{2 * w * w, 2 - 2 * w * w};
     return w < 1 ? solve_on_grid(curve.scene, curve.formulation, n, at, start)
-                 : solve_slipping_grid(curve.scene, curve.formulation, n, full_slip_creep, start);
+                 : solve_slipping_grid(curve.slipping, n, full_slip_creep, start);
   };
   if (near.h.size() > n) near.h.conservativeResize(n);
   GridSolution x = from(near);
@@ -78,12 +78,7 @@ struct LawGrid {
   int n, finer;
 };
 
-using LawGrids = std::vector<LawGrid>;
-
-const LawGrids& law_grids(const Scene& scene) {
-  static const LawGrids cold{{20, 40}, {40, 80}, {64, 128}}, hot{{20, 33}, {40, 66}, {64, 106}};
-  return scene.law ? hot : cold;
-}
+constexpr std::array<LawGrid, 4> law_grids{{{20, 33}, {28, 46}, {40, 66}, {64, 106}}};
 
 bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
   if (x.newton_steps == 0 || y.newton_steps == 0) return false;
@@ -94,48 +89,42 @@ bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
 
 double leeway(int n, double w) { return n == 64 && w < 1.5 ? 10 : 1; }
 
+/// A point with a contact: w, its solution and the grid that resolves it.
+struct CurvePoint {
+  double w = 0;
+  GridSolution at{};
+  const LawGrid* grid = law_grids.data();
+};
+
 constexpr const char* not_resolved = "the solution is not resolved";
 constexpr const char* not_asked = "no more was asked for";
 
-/// Why the curve does not go on to w; empty if it does. In that case near becomes the solution.
-std::string why_not(const HalfCurve& curve, double tolerance, double w, GridSolution& near) {
-  for (const auto& [n, finer] : law_grids(curve.scene)) {
-    if (w == 2 && n > 20) break;  // at infinite creep finer grids do not help
-    const GridSolution x = solution_at(curve, n, w, near), y = solution_at(curve, finer, w, x);
-    if (!agree(x, y, leeway(n, w) * tolerance)) continue;
+/// Go on to w on grids up to this one. The reason why the curve does not; empty if it does.
+std::string go_on(HalfCurve& curve, double tolerance, double w, CurvePoint& last,
+                  const LawGrid& finest = law_grids.back()) {
+  for (const LawGrid* grid = last.grid; grid <= &finest; ++grid) {
+    const GridSolution x = solution_at(curve, grid->n, w, last.at);
+    const GridSolution y = solution_at(curve, grid->finer, w, x);
+    if (!agree(x, y, leeway(grid->n, w) * tolerance)) continue;
     if (!y.violations.empty()) return "contact is lost: " + y.violations.front().what;
-    if (x.value(Quantity::creep) <= near.value(Quantity::creep)) return "the creep turns back";
-    near = x;
+    if (x.value(Quantity::creep) <= last.at.value(Quantity::creep)) return "the creep turns back";
+    last = {w, x, grid};
     return "";
   }
   return not_resolved;
 }
 
-/// The last w that has a contact, and the reason for the end; 2 and nothing if all have one.
-struct CurveEnd {
-  double w;
-  std::string reason;
-};
-
-CurveEnd end_of(const HalfCurve& curve, double tolerance, double reach) {
-  const double farthest = reach > curve.all_slips ? 2 - curve.all_slips / reach : 1;
-  GridSolution near;
-  double last = 0;
-  for (const double next : {0.1, 0.4, 0.7, 0.9, 1.0, 1.3, 1.7, 1.9, 1.97, 1.99, 1.999, 2.0}) {
-    double w = std::min(next, farthest);
-    std::string reason = why_not(curve, tolerance, w, near);
-    if (w == 2 && reason == not_resolved) return {last, reason};
-    for (int k = 0; !reason.empty() && k < (reason == not_resolved ? 3 : 14); ++k) {
-      const double middle = (last + w) / 2;
-      const std::string there = why_not(curve, tolerance, middle, near);
-      (there.empty() ? last : w) = middle;
-      if (!there.empty()) reason = there;
-    }
-    if (!reason.empty()) return {last, reason};
-    last = w;
-    if (w == farthest) break;
+/// The reason for the end, of which last becomes the point; there is none at w, for a reason.
+std::string find_end(HalfCurve& curve, double tolerance, double w, std::string reason,
+                     CurvePoint& last) {
+  for (int k = 0; k < (reason == not_resolved ? 3 : 14); ++k) {
+    const double middle = (last.w + w) / 2;
+    const std::string there = go_on(curve, tolerance, middle, last);
+    if (there.empty()) continue;
+    w = middle;
+    reason = there;
   }
-  return {last, last < 2 ? not_asked : ""};
+  return reason;
 }
 
 /// Errors of the stored functions: of Q*, of T* as a CreepLaw has it, and of c0.
@@ -166,8 +155,6 @@ Stored stored(const HalfInTheMaking& x, bool sticks, double w, const GridSolutio
   const double slip_length = at.value(Quantity::slip_length);
   return {creep, std::sqrt(creep / unit), {q / creep, t, slip_length * unit / creep}};
 }
-
-constexpr int law_terms = static_cast<int>(std::tuple_size_v<LawSeries>);
 
 LawPiece fitted(const std::array<Stored, law_terms>& y) {
   LawPiece piece{y.front().z, y.back().z, {}, {}, {}};
@@ -209,45 +196,52 @@ struct Trial {
   LawErrors error, of_grid;
 };
 
-Trial try_piece(const HalfInTheMaking& x, const LawGrid& grid, double from, double to,
-                GridSolution near) {
-  const auto [n, finer] = grid;
-  bool solved = true;
-  const auto at = [&](int unknowns, double k) {
-    const double w = law_node(from, to, k);
-    if (w > 0) {
-      const GridSolution there = solution_at(x.curve, unknowns, w, near);
-      if (there.newton_steps > 0) near = there;
-      solved = solved && there.newton_steps > 0;
-    }
-    return stored(x, to <= 1, w, near);
-  };
-  std::array<Stored, law_terms> y;
-  for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k));
-  Trial trial{fitted(y), 0.2 * x.tolerance, LawErrors::Zero()};
-  for (const double k : {7.5, 5.5, 2.5, 0.5}) {
-    const Stored fine = at(finer, k);
-    trial.error = trial.error.max(missed(trial.piece, fine));
-    if ((trial.error <= x.tolerance).all()) continue;
-    const LawErrors moved = errors_of(at(n, k).value - fine.value, to <= 1, fine);
-    trial.of_grid = trial.of_grid.max(moved);
-  }
-  if (!solved) trial.error = trial.of_grid = LawErrors::Constant(1);
-  return trial;
-}
-
+/// Whether it misses the tolerance, by its grid alone.
 bool is_too_coarse(const Trial& trial, const LawErrors& tolerance) {
   const Eigen::Array<bool, 3, 1> misses = trial.error > tolerance;
   const Eigen::Array<bool, 3, 1> by_grid = trial.of_grid > 0.3 * trial.error;
   return misses.any() && (!misses || by_grid).all();
 }
 
+Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
+                GridSolution near) {
+  const auto [n, finer] = grid;
+  bool solved = true;
+  const auto at = [&](int unknowns, double k, GridSolution& last) {
+    const double w = law_node(from, to, k);
+    if (w > 0) {
+      const GridSolution there = solution_at(x.curve, unknowns, w, last);
+      if (there.newton_steps > 0) last = there;
+      solved = solved && there.newton_steps > 0;
+    }
+    return stored(x, to <= 1, w, last);
+  };
+  std::array<Stored, law_terms> y;
+  for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k), near);
+  Trial trial{fitted(y), 0.2 * x.tolerance, LawErrors::Zero()};
+  GridSolution near_finer = near;
+  for (const double k : {9.5, 6.5, 3.5, 0.5}) {
+    const Stored fine = at(finer, k, near_finer);
+    trial.error = trial.error.max(missed(trial.piece, fine));
+    if ((trial.error <= x.tolerance).all()) continue;
+    const LawErrors moved = errors_of(at(n, k, near).value - fine.value, to <= 1, fine);
+    trial.of_grid = trial.of_grid.max(moved);
+    if (!is_too_coarse(trial, x.tolerance)) break;
+  }
+  if (!solved) trial.error = trial.of_grid = LawErrors::Constant(1);
+  return trial;
+}
+
 /// Add the pieces from w = from to w = to, on this grid or finer ones; false where they end early.
+/// Of a half of a piece, whole is the error of that.
 bool add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
-                const GridSolution& near) {
+                const GridSolution& near, const LawErrors& whole = LawErrors::Constant(1)) {
+  const auto by_grid = [&](const Trial& at) {
+    const LawErrors miss = (at.error > x.tolerance).select(at.error, 0);
+    return is_too_coarse(at, x.tolerance) || (miss > 0.8 * whole).any();
+  };
   Trial trial = try_piece(x, *grid, from, to, near);
-  while (is_too_coarse(trial, x.tolerance) && grid != &law_grids(x.curve.scene).back())
-    trial = try_piece(x, *++grid, from, to, near);
+  while (by_grid(trial) && grid != &law_grids.back()) trial = try_piece(x, *++grid, from, to, near);
   const bool coarse = is_too_coarse(trial, x.tolerance);
   if ((trial.error <= (coarse ? leeway(grid->n, from) : 1) * x.tolerance).all()) {
     x.half.pieces.push_back(trial.piece);
@@ -257,47 +251,114 @@ bool add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
   const double least = coarse ? 0.03 : 3e-4;
   if (to - from < least * (2 - from)) return false;
   const double middle = (from + to) / 2;
-  return add_pieces(x, grid, from, middle, near) && add_pieces(x, grid, middle, to, near);
+  const LawGrid* coarser = std::max(grid - 1, law_grids.data());
+  return add_pieces(x, coarser, from, middle, near, trial.error) &&
+         add_pieces(x, grid, middle, to, near, trial.error);
+}
+
+/// The last point that has a contact up to w = 1, and the reason for an end before it.
+std::string go_to_full_slip(HalfCurve& curve, double tolerance, CurvePoint& last) {
+  if (go_on(curve, tolerance, 1, last).empty()) return "";
+  for (const double w : {0.1, 0.4, 0.7, 0.9, 1.0}) {
+    const std::string reason = go_on(curve, tolerance, w, last);
+    if (!reason.empty()) return find_end(curve, tolerance, w, reason, last);
+  }
+  return "";
+}
+
+/// Add them up to the creep reach, from the last point on; the reason for an end.
+std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double tolerance,
+                                CurvePoint& last) {
+  const double farthest = reach > x.curve.all_slips ? 2 - x.curve.all_slips / reach : 1;
+  const std::string at_farthest = farthest < 2 ? not_asked : "";
+  CurvePoint far = last;
+  if (farthest == 1) return at_farthest;
+  if (go_on(x.curve, tolerance, farthest, far, *last.grid).empty())
+    return add_pieces(x, last.grid, 1, farthest, last.at) ? at_farthest : not_resolved;
+  for (const double next : {1.5, 1.75, 1.9, 1.97, 1.99, 1.999, 2.0}) {
+    const double w = std::min(next, farthest);
+    const CurvePoint before = last;
+    const LawGrid& finest = w < 2 ? law_grids.back() : *last.grid;
+    std::string reason = go_on(x.curve, tolerance, w, last, finest);
+    if (!reason.empty() && w < 2) reason = find_end(x.curve, tolerance, w, reason, last);
+    if (last.w > before.w && !add_pieces(x, last.grid, before.w, last.w, before.at))
+      return not_resolved;
+    if (!reason.empty()) return reason;
+    if (w == farthest) break;
+  }
+  return at_farthest;
+}
+
+void end_after_pieces(LawHalf& half, double tolerance, double reach) {
+  if (half.pieces.empty())
+    throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere", {});
+  const double z = half.pieces.back().to;
+  const double share = slips_partially(half.pieces.back()) ? std::min(z * z, 1.0) : 1 / (2 - z);
+  half.last_creep = z < 2 ? half.unit_creep * share : std::numeric_limits<double>::infinity();
+  if (half.reason == not_asked) half.last_creep = std::max(half.last_creep, reach);
+}
+
+double creep_of_full_slip(const Scene& scene, Formulation formulation, double tolerance) {
+  GridSolution last;
+  for (const auto& [n, finer] : law_grids) {
+    const double coarse = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
+    last = next_to_full_slip(scene, formulation, finer);
+    const double change = coarse - last.value(Quantity::creep);
+    if (std::abs(change) < tolerance / 10 * last.value(Quantity::creep)) break;
+  }
+  const auto n = static_cast<int>(last.h.size());
+  const GridSolution before = solve_on_grid(scene, formulation, n, {2 - 1e-3, 1e-3}, last);
+  const Results slope = (last.value - before.value) / (1e-3 - last.at.stick);
+  return last.value(Quantity::creep) + slope(Quantity::creep) * last.at.stick;
 }
 
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
                          double reach) {
-  const GridSolution corner = next_to_full_slip(scene, formulation, 32);
-  HalfInTheMaking x{{scene, formulation, corner.value(Quantity::creep)},
+  HalfInTheMaking x{{scene, formulation, creep_of_full_slip(scene, formulation, tolerance)},
                     LawErrors::Constant(tolerance)};
-  const CurveEnd end = end_of(x.curve, tolerance / 3, reach);
-  const double full = std::min(end.w, 1.0);
-  const GridSolution unit = solution_at(x.curve, 32, full, {});
-  x.half.unit_creep = unit.value(Quantity::creep);
-  x.tolerance(1) *= unit.value(Quantity::max_temperature);
-  x.half.reason = end.reason;
-  const LawGrid* grid = law_grids(scene).data();
-  const bool whole =
-      add_pieces(x, grid, 0, full, {}) && (end.w <= 1 || add_pieces(x, grid, 1, end.w, unit));
-  if (!whole) x.half.reason = not_resolved;
-  if (x.half.pieces.empty())
-    throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere", {});
-  const double z = x.half.pieces.back().to;
-  const double share = slips_partially(x.half.pieces.back()) ? std::min(z * z, 1.0) : 1 / (2 - z);
-  x.half.last_creep = z < 2 ? x.half.unit_creep * share : std::numeric_limits<double>::infinity();
-  if (x.half.reason == not_asked) x.half.last_creep = std::max(x.half.last_creep, reach);
+  CurvePoint last;
+  x.half.reason = go_to_full_slip(x.curve, tolerance / 3, last);
+  x.half.unit_creep = last.at.value(Quantity::creep);
+  x.tolerance(1) *= last.at.value(Quantity::max_temperature);
+  if (last.w > 0 && !add_pieces(x, last.grid, 0, last.w, {}))
+    x.half.reason = not_resolved;
+  else if (last.w == 1)
+    x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
+  end_after_pieces(x.half, tolerance, reach);
   return x;
+}
+
+struct BothHalves {
+  HalfInTheMaking driving, braking;
+};
+
+BothHalves both_halves(Scene scene, Formulation formulation, double tolerance,
+                       const CreepRange& range) {
+  const auto half = [&](Direction direction, double reach) {
+    scene.direction = direction;
+    if (reach >= 0) return half_law(scene, formulation, tolerance, reach);
+    return HalfInTheMaking{{scene, formulation, 0}, LawErrors::Zero()};
+  };
+  const double braking = range.from < 0 ? -range.from : -1;
+  const bool mirrors = strain_share(scene) == 0 && !is_unlike(scene);
+  if (mirrors) {
+    const HalfInTheMaking one = half(Direction::driving, std::max(range.to, braking));
+    return {one, one};
+  }
+  return {half(Direction::driving, range.to), half(Direction::braking, braking)};
 }
 
 }  // namespace
 
-CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance, double reach) {
+CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance,
+                   const CreepRange& range) {
   check(scene);
-  if (!(reach > 0)) require(false, "reach", reach, "positive");
+  if (!(range.from < range.to))
+    require(false, "from", range.from, "below to = " + shortest(range.to));
   if (scene.bulk_difference != 0)
     throw std::invalid_argument("a law is not made for bodies of different bulk temperatures");
   require(1e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-7 to 1e-2");
-  Scene one = scene;
-  one.direction = Direction::driving;
-  const HalfInTheMaking driving = half_law(one, formulation, tolerance, reach);
-  one.direction = Direction::braking;
-  const bool mirrors = strain_share(one) == 0 && !is_unlike(one);
-  const HalfInTheMaking braking = mirrors ? driving : half_law(one, formulation, tolerance, reach);
+  const auto [driving, braking] = both_halves(scene, formulation, tolerance, range);
   const LawErrors error = driving.error.max(braking.error);
   return {driving.half, braking.half, error(0), error(2), error(1)};
 }

@@ -29,14 +29,13 @@ struct Followed {
 
 constexpr int followed_unknowns = 80;
 
-Followed follow_contacts(const Scene& scene, Formulation formulation, double creep) {
-  const GridSolution first = next_to_full_slip(scene, formulation, followed_unknowns);
+Followed follow_contacts(SlippingGrids& grids, double creep) {
+  const GridSolution first = next_to_full_slip(grids.scene, grids.formulation, followed_unknowns);
   Followed x{first, first.value(Quantity::creep), {}};
   if (!is_contact(first) || !(x.creep > 0)) return {};
   for (double growth = 1.1; x.creep < creep && growth > 1.0001;) {
     const double next = std::min(growth * x.creep, creep);
-    const GridSolution at =
-        solve_slipping_grid(scene, formulation, followed_unknowns, next, x.contact);
+    const GridSolution at = solve_slipping_grid(grids, followed_unknowns, next, x.contact);
     if (is_contact(at, true)) return {x.contact, x.creep, at};
     const bool contact = is_contact(at);
     growth = contact ? std::min(2.0, growth * growth) : std::sqrt(growth);
@@ -46,7 +45,7 @@ Followed follow_contacts(const Scene& scene, Formulation formulation, double cre
 }
 
 /// 0 if the secants do not arrive.
-double creep_without_load(const Scene& scene, Formulation formulation, const Followed& from) {
+double creep_without_load(SlippingGrids& grids, const Followed& from) {
   GridSolution last = from.contact, now = from.beyond;
   for (int step = 0; step < 20; ++step) {
     if (std::abs(now.value(load_ratio)) < 1e-10) return now.value(Quantity::creep);
@@ -54,7 +53,7 @@ double creep_without_load(const Scene& scene, Formulation formulation, const Fol
                             (now.value(load_ratio) - last.value(load_ratio));
     const double next = now.value(Quantity::creep) - per_load * now.value(load_ratio);
     last = now;
-    now = solve_slipping_grid(scene, formulation, followed_unknowns, next, last);
+    now = solve_slipping_grid(grids, followed_unknowns, next, last);
     if (!is_contact(now) && !is_contact(now, true)) break;
   }
   return 0;
@@ -67,12 +66,13 @@ std::string rounded_down(double x) {
 }
 
 /// By std::invalid_argument where contact is lost before it, else by std::runtime_error.
-[[noreturn]] void refuse_without_contact(const Scene& scene, Formulation formulation, double creep,
+[[noreturn]] void refuse_without_contact(SlippingGrids& grids, double creep,
                                          const Followed& found) {
-  const std::string asked = shortest(sign_of(scene.direction) * creep);
-  const bool driving = scene.direction == Direction::driving;
+  const Direction direction = grids.scene.direction;
+  const std::string asked = shortest(sign_of(direction) * creep);
+  const bool driving = direction == Direction::driving;
   double limit = 0;
-  if (found.beyond.newton_steps > 0) limit = creep_without_load(scene, formulation, found);
+  if (found.beyond.newton_steps > 0) limit = creep_without_load(grids, found);
   if (limit > 0)
     throw std::invalid_argument("creep = " + asked + " is not allowed: it must be " +
                                 (driving ? "below" : "above") + " the creep_limit of about " +
@@ -84,41 +84,45 @@ std::string rounded_down(double x) {
 
 /// The contact that is followed to the creep, else a solution with a load; refuses a creep that has
 /// neither, or at which contact is lost.
-GridSolution followed_full_slip(const Scene& scene, Formulation formulation, double creep,
-                                const GridSolution& found) {
-  const Followed x = follow_contacts(scene, formulation, creep);
+GridSolution followed_full_slip(SlippingGrids& grids, double creep, const GridSolution& found) {
+  const Followed x = follow_contacts(grids, creep);
   if (x.contact.newton_steps > 0 && x.creep == creep) return x.contact;
   const auto loaded = [](const GridSolution& y) {
     return y.newton_steps > 0 && y.value(load_ratio) > 0;
   };
-  if (x.beyond.newton_steps > 0) refuse_without_contact(scene, formulation, creep, x);
+  if (x.beyond.newton_steps > 0) refuse_without_contact(grids, creep, x);
   if (loaded(found)) return found;
-  GridSolution last = solve_slipping_grid(scene, formulation, followed_unknowns, creep, x.contact);
+  GridSolution last = solve_slipping_grid(grids, followed_unknowns, creep, x.contact);
   if (loaded(last)) return last;
-  refuse_without_contact(scene, formulation, creep, x);
+  refuse_without_contact(grids, creep, x);
 }
 
 }  // namespace
 
-ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, double creep) {
+ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n) {
   ContactGrid grid = contact_grid(scene, formulation, {2, 0}, n);
   const VectorXd rigid = 2 * scene.friction / pi * grid.nodes.s;
   TractionOperators& x = grid.tractions;
-  x.v0 = creep + rigid.array();
+  x.v0 = rigid;
   const BulkTerms& bulk = grid.thermal.bulk;
   if (grid.bulk)
     x.v0 += (rigid * bulk.kappa - bulk.g.head(n)).array() + scene.friction * bulk.gamma0;
   x.v = rigid * x.kappa - grid.thermal.g.topRows(n);
   x.v.rowwise() += scene.friction * x.gamma0;
+  return grid;
+}
+
+ContactGrid at_creep(ContactGrid grid, double creep) {
+  grid.tractions.v0 += creep;
   grid.creep = creep;
   return grid;
 }
 
 /// The solution on the first grid that has an admissible one; no newton_steps if none has.
-GridSolution coarse_full_slip(const Scene& scene, Formulation formulation, double creep) {
+GridSolution coarse_full_slip(SlippingGrids& grids, double creep) {
   GridSolution level;
   for (int n = 10; n <= 80; n *= 2) {
-    level = solve_slipping_grid(scene, formulation, n, creep, level);
+    level = solve_slipping_grid(grids, n, creep, level);
     if (level.newton_steps > 0 && level.violations.empty()) return level;
   }
   return level;
@@ -134,15 +138,16 @@ void forget_the_edge(GridSolution& x, double length) {
 
 CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep) {
   const Formulation formulation = approach.formulation;
-  GridSolution level = coarse_full_slip(scene, formulation, creep);
-  if (!is_contact(level)) level = followed_full_slip(scene, formulation, creep, level);
+  SlippingGrids grids{scene, formulation};
+  GridSolution level = coarse_full_slip(grids, creep);
+  if (!is_contact(level)) level = followed_full_slip(grids, creep, level);
   const auto n = static_cast<int>(level.h.size());
   const double more = 1e-3 * creep;
-  Results slope =
-      (solve_slipping_grid(scene, formulation, n, creep + more, level).value - level.value) / more;
+  Results slope = (solve_slipping_grid(grids, n, creep + more, level).value - level.value) / more;
   return refine(scene, approach, {Quantity::creep, creep}, level, slope,
                 [&](int finer, const GridSolution& last) {
-                  GridSolution x = solve_slipping_grid(scene, formulation, finer, creep, last);
+                  SlippingGrids once{scene, formulation};
+                  GridSolution x = solve_slipping_grid(once, finer, creep, last);
                   forget_the_edge(x, 0.5 * std::sqrt(approach.tolerance));
                   return x;
                 });

@@ -7,8 +7,9 @@
 
 namespace thermoroll {
 
-/// The grid of n unknowns in full slip at a creep xi*, @eq:full-slip.
-ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n, double creep);
+/// The grid of n unknowns in full slip, @eq:full-slip, for any creep; and at a creep xi*.
+ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n);
+ContactGrid at_creep(ContactGrid grid, double creep);
 
 /// Solve in full slip for a creep; arguments and errors as for solve_coupled. Refuses a creep at
 /// which there is no contact by std::invalid_argument.

@@ -180,9 +180,11 @@ double tail(const VectorXd& h) {
   return h.tail(h.size() / 4).lpNorm<Eigen::Infinity>() / h.lpNorm<Eigen::Infinity>();
 }
 
-GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, int n, double creep,
+GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
                                  const GridSolution& from) {
-  return solve_on(full_slip_grid(scene, formulation, n, creep), from);
+  auto& [scene, formulation, kept] = grids;
+  if (kept.count(n) == 0) kept.emplace(n, full_slip_grid(scene, formulation, n));
+  return solve_on(at_creep(kept.at(n), creep), from);
 }
 
 int unknowns_after(int n) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "solver/contact_grid.hpp"
 #include "solver/exchange.hpp"
 #include "solver/surface.hpp"
 #include "thermoroll/coupled.hpp"
@@ -27,8 +29,15 @@ struct GridSolution {
 GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
                            const ZoneLengths& at, const GridSolution& from);
 
-/// Solve in full slip for a creep, starting from a coarser grid's solution in full slip.
-GridSolution solve_slipping_grid(const Scene& scene, Formulation formulation, int n, double creep,
+/// The grids of a scene in full slip, by their unknowns; each holds for every creep.
+struct SlippingGrids {
+  Scene scene;
+  Formulation formulation;
+  std::map<int, ContactGrid> by_unknowns{};
+};
+
+/// Solve with n unknowns in full slip for a creep, starting from a coarser grid's solution there.
+GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
                                  const GridSolution& from);
 
 /// The residual of a solution for the given quantity; a border is measured from the nearer end.

@@ -16,7 +16,7 @@ namespace {
 const double full_slip = 2 * paper::friction / pi;  // Carter's xi* there
 
 std::vector<double> relative_tractions(const Scene& scene, const std::vector<double>& creeps) {
-  const CreepLaw law = creep_law(scene, Formulation::corrected, 1e-5, 3 * full_slip);
+  const CreepLaw law = creep_law(scene, Formulation::corrected, 1e-5, {0, 3 * full_slip});
   std::vector<double> tractions(creeps.size());
   std::transform(creeps.begin(), creeps.end(), tractions.begin(), [&](double u) {
     return evaluate(law, u * full_slip).value().traction / paper::friction;

@@ -702,7 +702,8 @@ TEST(Interface, LawIsThatOfTheLibrary) {
   thermoroll_law_info info;
   thermoroll_law* law = law_of(scene, 2, info);
   ASSERT_NE(law, nullptr) << info.message;
-  const auto expected = thermoroll::creep_law({0.6, 4360, 0.0175}, Formulation::corrected, 1e-3, 2);
+  const auto expected =
+      thermoroll::creep_law({0.6, 4360, 0.0175}, Formulation::corrected, 1e-3, {-2, 2});
   EXPECT_EQ(info.status, 0);
   EXPECT_EQ(info.driving_end, expected.driving.last_creep);
   EXPECT_EQ(info.braking_end, expected.braking.last_creep);
@@ -744,8 +745,9 @@ TEST(Interface, LawInSiUnits) {
   EXPECT_NEAR(info.driving_end, 0.03, 1e-15);
   thermoroll::PhysicalScene si = *si_pairs()[2].cpp.physical;
   const auto unit = thermoroll::law_units(si, 0.35);
-  const auto expected = thermoroll::creep_law(thermoroll::scene_of(si, 0.35),
-                                              Formulation::corrected, 1e-3, 0.03 / unit.creep);
+  const auto expected =
+      thermoroll::creep_law(thermoroll::scene_of(si, 0.35), Formulation::corrected, 1e-3,
+                            {-0.03 / unit.creep, 0.03 / unit.creep});
   const double ratio = 0.02;
   thermoroll_law_value y{};
   y.size = sizeof y;

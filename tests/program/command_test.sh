@@ -1681,7 +1681,7 @@ def law(creep):
     k = min(pieces, key=lambda k: max(o["from_z"][k] - z, z - o["to_z"][k]))
     a, b = o["from_z"][k], o["to_z"][k]
     angle = math.acos(max(-1, min(1, 2 * (z - a) / (b - a) - 1)))
-    q, t = (sum(c * math.cos(j * angle) for j, c in enumerate(o[key][9 * k:9 * k + 9]))
+    q, t = (sum(c * math.cos(j * angle) for j, c in enumerate(o[key][11 * k:11 * k + 11]))
             for key in ("traction_terms", "temperature_terms"))
     if a < 1:
         q *= size

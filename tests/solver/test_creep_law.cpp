@@ -42,7 +42,7 @@ Scene hot() {
 }
 
 CreepLaw law_of(const Scene& scene, double tolerance = 1e-4, double reach = 4) {
-  return creep_law(scene, Formulation::corrected, tolerance, reach);
+  return creep_law(scene, Formulation::corrected, tolerance, {-reach, reach});
 }
 
 CoupledSolution solved(Scene scene, double creep, double tolerance) {
@@ -229,6 +229,24 @@ TEST(CreepLaw, HasNoValueBeyondItsEnd) {
   }
   EXPECT_FALSE(evaluate(law, infinity).has_value());
   EXPECT_FALSE(evaluate(law, std::nan("")).has_value());
+}
+
+// A range on one side is a part of the law of both: the same numbers, and none on the other side.
+TEST(CreepLaw, HasTheHalvesOfItsRange) {
+  const CreepLaw both = law_of(steel(), 1e-3, 1);
+  const auto one_of = [](double from, double to) {
+    return creep_law(steel(), Formulation::corrected, 1e-3, {from, to});
+  };
+  const CreepLaw driving = one_of(0, 1), braking = one_of(-1, -0.1), free_too = one_of(-1, 0);
+  for (double size = 0.05; size < 1; size += 0.05) {
+    EXPECT_EQ(evaluate(driving, size)->traction, evaluate(both, size)->traction);
+    EXPECT_EQ(evaluate(braking, -size)->traction, evaluate(both, -size)->traction);
+    EXPECT_FALSE(evaluate(driving, -size).has_value());
+    EXPECT_FALSE(evaluate(braking, size).has_value());
+  }
+  EXPECT_EQ(evaluate(driving, 0)->traction, 0);
+  EXPECT_EQ(evaluate(free_too, 0)->traction, 0);
+  EXPECT_THROW(one_of(0.2, 0.1), std::invalid_argument);
 }
 
 TEST(CreepLaw, EvaluationAllocatesNothing) {

@@ -13,7 +13,8 @@
 namespace thermoroll {
 
 /// The Chebyshev coefficients of a piece.
-using LawSeries = std::array<double, 9>;
+constexpr int law_terms = 11;
+using LawSeries = std::array<double, law_terms>;
 
 /// Polynomials of a law on from < z < to: up to z = 1 of Q* / xi*, T* and the length of the slip
 /// zone over z^2, and beyond of Q*, T* times 2 - z, and 2.
@@ -24,10 +25,11 @@ struct LawPiece {
 
 /// Half of a law: its pieces from z = 0 on, and its end.
 struct LawHalf {
-  double unit_creep;  ///< xi* at z = 1: where the stick zone vanishes, or the end, if it does not
-  std::vector<LawPiece> pieces;
-  double last_creep;   ///< where it ends, the size of xi*; infinite if it does not
-  std::string reason;  ///< why it ends; empty if it does not
+  double unit_creep = 1;  ///< xi* at z = 1: where the stick zone vanishes, or the end before
+  std::vector<LawPiece> pieces{};
+  double last_creep = -1;  ///< where it ends, the size of xi*; infinite if it does not, and
+                           ///< negative for a half that was not asked for
+  std::string reason{};    ///< why it ends; empty if it does not
 };
 
 /// Q*, T*max and c0 of a scene for any creep xi*, with errors that hold everywhere.
@@ -37,6 +39,12 @@ struct CreepLaw {
   double temperature_error;  ///< of T* in partial slip; in full slip times xi* over unit_creep
 };
 
+/// The creeps xi* that a law is made for.
+struct CreepRange {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+};
+
 /// A law evaluated at a creep; dimensionless, the traction with the creep's sign.
 struct LawValue {
   double traction, slope;  ///< Q*, dQ*/dxi*
@@ -44,13 +52,12 @@ struct LawValue {
   double border;           ///< c0, -1 in full slip
 };
 
-/// The law of a scene, for both directions, whatever its own is. The stated errors are below the
-/// tolerance, from 1e-7 to 1e-2, or ten times that where a law of friction has a kink: that of T*
-/// relative to T* at unit_creep. A finite reach is the size of the creep up to which full slip is
-/// computed. Throws std::invalid_argument for data out of range, NotResolved where the tolerance is
-/// met nowhere.
+/// The law of a scene for a range of creeps in both directions, whatever its own is. The stated
+/// errors are below the tolerance, from 1e-7 to 1e-2, or ten times that where a law of friction has
+/// a kink: that of T* relative to T* at unit_creep. Throws std::invalid_argument for data out of
+/// range, NotResolved where the tolerance is met nowhere.
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
-                   double reach = std::numeric_limits<double>::infinity());
+                   const CreepRange& range = {});
 
 /// The law at a creep of either sign; nothing beyond the end of the law. Allocates nothing.
 std::optional<LawValue> evaluate(const CreepLaw& law, double creep);
