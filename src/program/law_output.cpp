@@ -52,7 +52,7 @@ struct LawTable {
 };
 
 /// For both sides unit_creep, last_creep and the first piece, with the number of pieces at the end;
-/// then the ends of all pieces and their coefficients, nine for each.
+/// then the ends of all pieces and their coefficients, law_terms for each.
 std::vector<LawTable> tables_of(const CreepLaw& law) {
   LawTable first{"first_piece", {0}}, from{"from_z"}, to{"to_z"}, q{"traction_terms"},
       t{"temperature_terms"};

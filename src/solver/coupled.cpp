@@ -152,6 +152,20 @@ struct Refinement {
   double worst() const { return error.head(compared).maxCoeff(); }
 };
 
+double part_with_crossing_heat(const Scene& scene, int n) {
+  const double speed = std::max(scene.peclet, scene.roller.peclet);
+  if (n >= 48 && std::pow(n, 4) >= 1000 * speed) return 0.5;
+  return scene.bulk_difference != 0 ? 4 : 2;
+}
+
+/// The unknowns of the first grid whose error can be told.
+int least_unknowns(const Scene& scene, int digits) {
+  const int least = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
+  if (scene.bulk_difference == 0) return least;
+  const double speed = std::max(scene.peclet, scene.roller.peclet);
+  return static_cast<int>(std::clamp(std::ceil(2 * std::pow(speed, 0.25)), 30.0, 120.0));
+}
+
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
@@ -169,8 +183,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left.setConstant(estimate_with_law(change, last.h, level.h));
   if (bent) left.setConstant(2 * largest);
   if (level.crossing && !bent) {
-    const bool rough = scene.bulk_difference != 0 && n <= 40;
-    const double least = std::max(0.5 * largest, rough ? 2 * change(max_temperature) : 0);
+    const double least = part_with_crossing_heat(scene, n) * largest;
     left.setConstant(std::max(flat ? 0 : left.head(compared).maxCoeff(), least));
   }
   return {value, change, left + rounding(given, slope, scale)};
@@ -283,8 +296,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
-  int n = std::max(3 * static_cast<int>(level.h.size()) / 2,
-                   (scene.law ? 4 : 5) * std::clamp(digits, 2, 6));
+  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, least_unknowns(scene, digits));
   for (int stalled = 0; stalled < 2;) {
     const GridSolution last = level;
     const double best = found.worst();
