@@ -876,7 +876,7 @@ local function generated_table(div)
   local cards = div.classes:includes("cards")
   if cards then name_columns(id, head:map(function(cell) return { pandoc.Plain(inlines_of(cell)) } end)) end
   return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
-                      cards and "table cards")
+                      cards and (is_numeric(1) and "table cards by-number" or "table cards"))
 end
 
 -- 7. Chunks: the program's parts, where each is told ------------------------------------------------

@@ -350,7 +350,7 @@ END
   expect 'Table 1. The caption.' 'other'
 }
 
-# Where rows are cards, each value has its column's name.
+# Where rows are cards, each value has its column's name; one that is a number at the head of a card, too.
 RowsMayBeCards() {
   printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
   chapter <<'END'
@@ -367,11 +367,11 @@ END
   expect 'Table 2. Written.'
   printf 'a $\\mathrm{Pe}$,$T^*_{\\max}$,tolerance\nx,2,1e-8 to 1e-7\n' >build/data/t.csv
   expect '1e−8 to 1e−7'
-  expect_html '[id="tbl:t"] td:nth-child(1) { --column: "a Pe"; }' '[id="tbl:t"] td:nth-child(2) { --column: "T_max*"; }'
+  expect_html '[id="tbl:t"] td:nth-child(1) { --column: "a Pe"; }' '[id="tbl:t"] td:nth-child(2) { --column: "T_max*"; }' '<figure class="table cards" id="tbl:t">'
   printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
   expect 'Table 2. Written.'
   expect_html '<figure class="table cards" id="tbl:w">' '[id="tbl:w"] td:nth-child(2) { --column: "value"; }' \
-    '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
+    '<figure class="table cards by-number" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
 }
 
 # A path keeps its corners and its ends, and no point that lies on the line; a label is one text; gnuplot's own
