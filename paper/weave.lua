@@ -254,8 +254,9 @@ local function symbols_in(tex)
   return found
 end
 
-local function plain(markdown)
-  local text = pandoc.write(pandoc.read(markdown, "markdown"), "plain", { wrap_text = "none" })
+local function plain(document)
+  if type(document) == "string" then document = pandoc.read(document, "markdown") end
+  local text = pandoc.write(document, "plain", { wrap_text = "none" })
   return (text:gsub("%s*$", ""):gsub("%s%s+", " "):gsub("%^%(%*%)", "*"):gsub("_%((%w+)%)", "_%1"))
 end
 
@@ -607,7 +608,46 @@ local function caption(noun, number, inlines)
   return pandoc.List({ pandoc.Strong(noun .. " " .. number .. "."), pandoc.Space() }) .. inlines
 end
 
---- A path of lines by the steps from point to point, in hundredths as before, which are shorter. Between
+--- Keeps of the points between two, in hundredths, those that draw the line within three hundredths,
+--- which no screen and no print shows: the one farthest from the chord, and so on either side of it.
+local function keep_corners(points, from, to, kept)
+  local a, b = points[from], points[to]
+  local dx, dy = b.x - a.x, b.y - a.y
+  local square, largest, farthest = dx * dx + dy * dy, 3, nil
+  for k = from + 1, to - 1 do
+    local x, y = points[k].x - a.x, points[k].y - a.y
+    local share = square == 0 and 0 or math.max(0, math.min(1, (x * dx + y * dy) / square))
+    local distance = math.sqrt((x - share * dx) ^ 2 + (y - share * dy) ^ 2)
+    if distance > largest then largest, farthest = distance, k end
+  end
+  if not farthest then return end
+  kept[farthest] = true
+  keep_corners(points, from, farthest, kept)
+  keep_corners(points, farthest, to, kept)
+end
+
+--- The points of a path of lines in hundredths, each with its command, without those that are not seen.
+local function corners(path)
+  local points, kept, from = {}, {}, 1
+  for command, x, y in path:gmatch("([ML]?)%s*(-?[%d%.]+),(-?[%d%.]+)") do
+    table.insert(points, { command = command, x = math.floor(100 * x + 0.5), y = math.floor(100 * y + 0.5) })
+  end
+  for k, point in ipairs(points) do
+    local next_one = points[k + 1]
+    if point.command == "M" then from = k end
+    if not next_one or next_one.command == "M" then
+      kept[from], kept[k] = true, true
+      keep_corners(points, from, k, kept)
+    end
+  end
+  local out = {}
+  for k, point in ipairs(points) do
+    if kept[k] then table.insert(out, point) end
+  end
+  return out
+end
+
+--- A path of lines by the steps from corner to corner, in hundredths as before, which are shorter. Between
 --- numbers stands what keeps them apart: nothing before a sign, or before a second point.
 local function relative(path)
   local out, last = {}, ""
@@ -618,15 +658,14 @@ local function relative(path)
     last = number
   end
   local x, y = 0, 0
-  for command, to_x, to_y in path:gmatch("([ML]?)%s*(-?[%d%.]+),(-?[%d%.]+)") do
-    to_x, to_y = math.floor(100 * to_x + 0.5), math.floor(100 * to_y + 0.5)
-    if command == "M" then
+  for _, point in ipairs(corners(path)) do
+    if point.command == "M" then
       table.insert(out, "m")
       last = ""
     end
-    add(to_x - x)
-    add(to_y - y)
-    x, y = to_x, to_y
+    add(point.x - x)
+    add(point.y - y)
+    x, y = point.x, point.y
   end
   return table.concat(out)
 end
@@ -644,7 +683,14 @@ local function shortened(svg)
   end
   return (svg:gsub("%sd='(M[%d%.,%sML-]*)'", function(path) return " d='" .. relative(path) .. "'" end)
     :gsub('<tspan font%-family="sans%-serif" >', "<tspan>"):gsub(">%s*\n%s*<", "><")
-    :gsub("<g [^>]*></g>", ""))
+    :gsub("<g [^>]*></g>", ""):gsub("<title>[%w_]+_plot_%d+%a?</title>", "")) -- gnuplot's own name for a curve
+end
+
+--- A label as one text, whose colour and place the style sheet has unless it says otherwise.
+local function short_label(place, size, anchor, text)
+  if text:find("<text>", 1, true) then return nil end
+  text = text:gsub("^<tspan>%s*([^<]*)</tspan>$", "%1")
+  return '<text transform="' .. place .. '"' .. size:gsub("%s+$", "") .. (anchor == "start" and "" or ' text-anchor="' .. anchor .. '"') .. ">" .. text .. "</text>"
 end
 
 --- What most groups of a drawing have in common, which they inherit from the whole in the page.
@@ -655,7 +701,8 @@ local function without_the_common(svg)
   return (svg:gsub('<g fill="none" color="currentColor" stroke="currentColor"', "<g")
     :gsub(' stroke%-linecap="round" stroke%-linejoin="round"', ""):gsub('<g stroke%-width="0.80">', "<g>")
     :gsub(' font%-family="sans%-serif"', ""):gsub(' font%-size="17.00"', "")
-    :gsub('<rect[^>]*fill="none"/>', ""))
+    :gsub('<rect[^>]*fill="none"/>', "")
+    :gsub('<g transform="([^"]*)" stroke="none" fill="currentColor"([^>]-)%s*text%-anchor="(%a+)"><text>(.-)</text></g>', short_label))
 end
 
 --- A figure's SVG as part of the page: ids of its own, the page's colours, a text for those who do
@@ -721,10 +768,11 @@ end
 
 local card_rules = pandoc.List() -- of the style sheet: where rows are cards, each value has its column's name
 
+--- A style sheet has no formulas: a symbol stands there in the characters that it has.
 local function name_columns(id, head)
   for column, name in ipairs(head) do
-    card_rules:insert(string.format('[id="%s"] td:nth-child(%d) { --column: "%s"; }', id, column,
-      utils.stringify(name):gsub('[\\"<]', "")))
+    local text = type(name) == "string" and name or plain(pandoc.Pandoc({ pandoc.Plain(utils.blocks_to_inlines(name)) }))
+    card_rules:insert(string.format('[id="%s"] td:nth-child(%d) { --column: "%s"; }', id, column, text:gsub('[\\"<]', "")))
   end
 end
 
@@ -763,7 +811,7 @@ local function written_table(content)
     local html = breakable(inline.text)
     if inline.text:match("^%u%w+%.%u%w+$") then return pandoc.RawInline("html", "<code>" .. html .. "</code>") end
   end })
-  name_columns(id, content.head.rows[1].cells:map(function(cell) return utils.stringify(cell.contents) end))
+  name_columns(id, content.head.rows[1].cells:map(function(cell) return cell.contents end))
   return framed_table(content, id, trimmed(text), "table cards")
 end
 
@@ -820,14 +868,15 @@ local function generated_table(div)
   end
   local function inlines(cell)
     local text = (" " .. cell):gsub(" %-(%d)", " −%1"):sub(2) -- a minus, not a hyphen
+    if not tonumber(cell) then text = text:gsub("(%de)%-(%d)", "%1−%2") end -- which could end a line
     return { pandoc.Plain(tonumber(cell) and { pandoc.Str(text) } or inlines_of(text)) }
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
   local cards = div.classes:includes("cards")
-  if cards then name_columns(id, head:map(function(cell) return pandoc.Plain(inlines_of(cell)) end)) end
+  if cards then name_columns(id, head:map(function(cell) return { pandoc.Plain(inlines_of(cell)) } end)) end
   return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
-                      cards and "table cards")
+                      cards and (is_numeric(1) and "table cards by-number" or "table cards"))
 end
 
 -- 7. Chunks: the program's parts, where each is told ------------------------------------------------
@@ -1146,6 +1195,14 @@ local function checked_by(paragraph)
   if names_tests(paragraph) then return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" })) end
 end
 
+--- A name that may be longer than a phone's line, or the margin's, may be broken before a capital.
+local function break_names(div)
+  if not div.classes:includes("checked") then return nil end
+  return div:walk({ Code = function(inline)
+    return #inline.text > 36 and pandoc.RawInline("html", "<code>" .. breakable(inline.text) .. "</code>") or nil
+  end })
+end
+
 local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
     .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
@@ -1417,7 +1474,7 @@ function Pandoc(document)
   if not document.meta.paper then highlight_all(draft and keep_draft(document) or pieces) end
   if not draft then find_evidence(document.blocks) end
   document.blocks = fold_tests(fill_equations(document.blocks))
-  document = document:walk({ CodeBlock = code_block }):walk(prose)
+  document = document:walk({ Div = break_names }):walk({ CodeBlock = code_block }):walk(prose)
   if draft then
     place_bibliography(document.blocks)
   else

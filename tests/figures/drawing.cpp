@@ -46,7 +46,8 @@ void check_structure(const std::string& figure, const Picture& picture, std::siz
   const std::map<std::string, std::string> heights{
       {"cost", "640"},        {"traction", "600"},     {"slip", "600"},
       {"speed", "470"},       {"evaluations", "470"},  {"estimates", "330"},
-      {"convergence", "365"}, {"temperatures", "620"}, {"recipe-curves", "560"}};
+      {"convergence", "365"}, {"temperatures", "620"}, {"recipe-curves", "560"},
+      {"celsius", "540"},     {"rungs", "460"}};
   const auto is_a = [&](const std::string& kind) { return figure.rfind(kind, 0) == 0; };
   const std::string height = heights.count(figure) > 0              ? heights.at(figure)
                              : is_a("speed-")                       ? "260"

@@ -25,9 +25,18 @@ double law(const std::string& name, double zeta) {
   throw std::runtime_error("curves.csv: no " + name);
 }
 
-/// A column, a column times a factor, its logarithm, a time or a law.
+/// A temperature without the one on the square root of the speed through the last row of the law.
+double beyond_law(const Table& table, std::size_t row) {
+  std::size_t last = table.rows.size() - 1;
+  while (table.text(last, "kind") != "law") --last;
+  const double root = table.number(last, "celsius") / std::sqrt(table.number(last, "speed"));
+  return table.number(row, "celsius") - root * std::sqrt(table.number(row, "speed"));
+}
+
+/// A column, a column times a factor, its logarithm, a time, a law, or what is beyond it.
 double quantity(const Table& table, std::size_t row, const std::string& what) {
   if (what.rfind("law ", 0) == 0) return law(what, table.number(row, "zeta"));
+  if (what == "celsius beyond law") return beyond_law(table, row);
   if (what == "seconds") return seconds_of(table.text(row, "name"));
   if (what.rfind("log10 ", 0) == 0) return std::log10(table.number(row, what.substr(6)));
   const std::size_t times = what.find('*');

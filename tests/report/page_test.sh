@@ -21,8 +21,9 @@ measure() {
   [ "$found" = "nothing wrong" ] || fail "$1, $2 px: ${found:-the page was not measured}"
 }
 
-# Two of four, as no colour depends on the width and no width on the colours.
+# No colour depends on the width and no width on the colours. Only the widest has notes in its margin.
 LightOnPhone() { measure light 360; }
 DarkOnDesk() { measure dark 1400; }
+LightOnLargeDesk() { measure light 1680; }
 
 "$1"

@@ -350,7 +350,7 @@ END
   expect 'Table 1. The caption.' 'other'
 }
 
-# Where rows are cards, each value has its column's name.
+# Where rows are cards, each value has its column's name; one that is a number at the head of a card, too.
 RowsMayBeCards() {
   printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
   chapter <<'END'
@@ -365,8 +365,28 @@ The caption.
 : Written. {#tbl:w .cards}
 END
   expect 'Table 2. Written.'
+  printf 'a $\\mathrm{Pe}$,$T^*_{\\max}$,tolerance\nx,2,1e-8 to 1e-7\n' >build/data/t.csv
+  expect '1e−8 to 1e−7'
+  expect_html '[id="tbl:t"] td:nth-child(1) { --column: "a Pe"; }' '[id="tbl:t"] td:nth-child(2) { --column: "T_max*"; }' '<figure class="table cards" id="tbl:t">'
+  printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
+  expect 'Table 2. Written.'
   expect_html '<figure class="table cards" id="tbl:w">' '[id="tbl:w"] td:nth-child(2) { --column: "value"; }' \
-    '<figure class="table cards" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
+    '<figure class="table cards by-number" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
+}
+
+# A path keeps its corners and its ends, and no point that lies on the line; a label is one text; gnuplot's own
+# name of a curve is left out.
+DrawingsAreShort() {
+  draw one
+  sed -i "s|d='M0,0 L2,2'|d='M0,0 L1,1.02 L2,2 L3,0.5 L4,0.5 M7,7 L8,7 L9,7'|
+    s|</g></svg>|<g transform=\"translate(1.00,2.00)\" stroke=\"none\" fill=\"currentColor\"  text-anchor=\"end\"><text><tspan> 5</tspan></text></g></g></svg>|
+    s|<g fill=\"none\"|<title>one_plot_2a</title><title>curve</title>&|" build/figures/one.svg
+  chapter <<'END'
+![C.](figures/one.svg){#fig:one fig-alt="A"}
+END
+  expect 'Figure 1. C.'
+  expect_html "d='m0 0 2 2 1-1.5 1 0m3 6.5 2 0'" '<text transform="translate(1.00,2.00)" text-anchor="end">5</text>' '<title>curve</title>'
+  ! grep -q one_plot_2a page.html || fail "gnuplot's name of a curve is in the page"
 }
 
 # The table of the paper's equations: by their numbers, with what became of them, their chunks and tests.
