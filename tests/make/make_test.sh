@@ -48,7 +48,7 @@ BuildsInFolderWithSpace() {
   mkdir -p "$copy"
   tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
   make -C "$copy" build/release/with-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  cmake -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$copy/build/release" >"$work/log" || fail "$(cat "$work/log")"
+  cmake -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$copy/build/release" >"$work/configured" || fail "$(cat "$work/configured")"
   (cd build/release && find CMakeFiles -name '*.c*.o' ! -name kernels.cpp.o ! -name exit_status.cpp.o \
     ! -name main.cpp.o ! -name bench.cpp.o -exec cp --parents {} "$copy/build/release" \;)
   cd "$copy"
