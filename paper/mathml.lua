@@ -106,7 +106,7 @@ local function mark_signs(html)
   return html
 end
 
-return function(tex, kind)
+local function written(tex, kind)
   tex = tex:gsub("\\Bigl%f[%A]", "\\Big") -- which alone of its kind Pandoc does not know
   local html = pandoc.write(pandoc.Pandoc({ pandoc.Plain({ pandoc.Math(kind, tex) }) }), "html5",
                             { html_math_method = "mathml", wrap_text = "none" })
@@ -120,4 +120,13 @@ return function(tex, kind)
   html = html:gsub('^<math display="inline" xmlns="[^"]*"', "<math") -- HTML needs neither
     :gsub('^<math display="block" xmlns="[^"]*"', '<math display="block"')
   return settle_brackets(html)
+end
+
+-- Half of a page's formulas have stood in it before.
+local made = {}
+
+return function(tex, kind)
+  local key = kind .. tex
+  if made[key] == nil then made[key] = written(tex, kind) or false end
+  return made[key] or nil
 end

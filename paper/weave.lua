@@ -92,6 +92,7 @@ end
 local without_html = "markdown-raw_html-raw_attribute-native_spans-native_divs-bracketed_spans"
 
 local function inlines_of(markdown)
+  if markdown:match("^%w[%w ]*$") then return pandoc.Inlines(markdown) end -- words only, as most are
   local inlines = pandoc.read("x " .. markdown, without_html).blocks[1].content -- "p. 3" alone would be a list
   inlines:remove(1)
   inlines:remove(1)
@@ -101,22 +102,8 @@ end
 --- A test's name, which a phone may break before a capital.
 local function breakable(name) return (escape(name):gsub("([%l.])(%u)", "%1<wbr />%2")) end
 
-local sextets = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
-
 --- Bytes as base64, by which a data: URI takes least room.
-local function base64(bytes)
-  local digits = bytes:gsub("..?.?", function(group)
-    local a, b, c = group:byte(1, 3)
-    local bits = a << 16 | (b or 0) << 8 | (c or 0)
-    local four = ""
-    for shift = 18, 0, -6 do
-      local at = (bits >> shift & 63) + 1
-      four = four .. sextets:sub(at, at)
-    end
-    return four:sub(1, #group + 1) .. ("="):rep(3 - #group)
-  end)
-  return digits
-end
+local function base64(bytes) return pandoc.pipe("base64", { "-w0" }, bytes) end
 
 --- A text as gzip packs it: without a name and a time, so that it is the same each time.
 local function packed(text) return base64(pandoc.pipe("gzip", { "-9", "-n" }, text)) end
@@ -356,25 +343,24 @@ local function raw_inline(inline)
 end
 
 --- A formula and the punctuation behind it stay on one line, as do a number and its unit.
-local units = { "%%", "°C", "m/s", "ms", "µs", "GPa", "MPa", "mm" }
+local units = { ["°C"] = true, ["m/s"] = true, ms = true, ["µs"] = true, GPa = true, MPa = true, mm = true }
 local function is_unit(inline)
   if inline.t ~= "Str" then return false end
-  for _, unit in ipairs(units) do
-    if inline.text:match("^" .. unit .. "[%p]*$") then return true end
-  end
+  local text = inline.text
+  return text:match("^%%%p*$") or units[text:match("^(.-)%p*$")]
 end
 
 local function keep_together(inlines)
   local out = pandoc.List()
   for place, inline in ipairs(inlines) do
-    local before = out[#out]
-    if (inline.t == "Space" or inline.t == "SoftBreak") and inlines[place + 1] and is_unit(inlines[place + 1]) then
+    local before, kind = out[#out], inline.t
+    if (kind == "Space" or kind == "SoftBreak") and inlines[place + 1] and is_unit(inlines[place + 1]) then
       inline = pandoc.Str("\u{a0}")
     end
-    if inline.t == "RawInline" and (inline.text:match("^<math") or inline.text:match("^<span title"))
+    if kind == "RawInline" and (inline.text:match("^<math") or inline.text:match("^<span title"))
        and before and before.t == "Str" and before.text:match("^%($") then
       out[#out] = pandoc.RawInline("html", '<span class="together">(' .. inline.text .. "</span>")
-    elseif inline.t == "Str" and inline.text:match("^[,.;:)?!]") and before
+    elseif kind == "Str" and inline.text:match("^[,.;:)?!]") and before
        and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span ")
          or before.text:match("^<a class[^>]*><math")) then
       out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))

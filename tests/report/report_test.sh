@@ -186,7 +186,8 @@ named() { sed '/^abstract-short:/,/^[^ ]/{/^abstract-short:/d;/^ /d}; /^::: {\.p
 # Each value in turn is given a number that is nowhere else, with its sign and with what stands about
 # it kept. The page must show that number, to the last digit, as often as the chapters name the value.
 ValuesStandAsWritten() {
-  local key sign number times found
+  local key sign number times
+  local -A shown
   mkdir -p "$work/project/build"
   cp -r paper figures "$work/project/"
   cp -r build/data build/figures build/colours-* "$work/project/build/" # the code is that of the report
@@ -200,13 +201,15 @@ ValuesStandAsWritten() {
       { print }' "build/data/$file.json" >"$work/project/build/data/$file.json" 2>>"$work/numbers"
   done
   (cd "$work/project" && weave ../page.html paper/*.md)
-  words "$work/page.html" >"$work/words"
+  # Each number of the page, and each with a minus also without it.
+  while read -r times number; do shown[$number]=$times; done < <(words "$work/page.html" | grep -oE '−?[0-9]{5,}[.]6543' |
+    awk '{ ++count[$0] } sub(/^−/, "") { ++count[$0] } END { for (number in count) print count[number], number }')
   named | sort | uniq -c >"$work/named"
   [ "$(wc -l <"$work/named")" -gt 50 ] || fail "hardly any value is named"
   while read -r times key; do
     IFS='"' read -r _ sign number < <(grep "^$key\"" "$work/numbers") || fail "no value $key"
-    found=$(grep -oF -- "$sign$number" "$work/words" | wc -l)
-    [ "$found" = "$times" ] || fail "$key is named $times times, and $sign$number shown $found times"
+    [ "${shown[$sign$number]:-0}" = "$times" ] ||
+      fail "$key is named $times times, and $sign$number shown ${shown[$sign$number]:-0} times"
   done <"$work/named"
 }
 

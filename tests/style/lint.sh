@@ -8,10 +8,12 @@ together="$build/lint/$1.cpp"
 shift 2
 mkdir -p "$build/lint"
 cat "$@" >"$together"
+# Headers that GCC has compiled are not for clang.
+sed 's/ -Winvalid-pch -include [^ ]*//' "$build/compile_commands.json" >"$build/lint/compile_commands.json"
 
 # lint FILE: what is found, with its place in the sources.
 lint() {
-  clang-tidy --quiet --checks=-readability-duplicate-include --extra-arg=-Wno-unknown-warning-option -p "$build" "$1" >"$work/found" 2>"$work/errors" &&
+  clang-tidy --quiet --checks=-readability-duplicate-include --extra-arg=-Wno-unknown-warning-option -p "$build/lint" "$1" >"$work/found" 2>"$work/errors" &&
     return
   awk -v together="$1:" '
     NR == FNR { first[++n] = lines + 1; lines += $1; file[n] = $2; next }
