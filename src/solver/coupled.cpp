@@ -181,7 +181,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   Results left = estimate(change, now, then, n, slow);
   if (scene.law && !slow && !level.crossing)
     left.setConstant(estimate_with_law(change, last.h, level.h));
-  if (bent) left.setConstant(2 * largest);
+  if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
     const double least = part_with_crossing_heat(scene, n) * largest;
     left.setConstant(std::max(flat ? 0 : left.head(compared).maxCoeff(), least));

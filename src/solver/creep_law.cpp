@@ -90,7 +90,7 @@ bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
 double leeway(int n, double w) { return n == 64 && w < 1.5 ? 10 : 1; }
 
 /// A point with a contact: w, its solution and the grid that resolves it.
-struct CurvePoint {
+struct LawPoint {
   double w = 0;
   GridSolution at{};
   const LawGrid* grid = law_grids.data();
@@ -100,7 +100,7 @@ constexpr const char* not_resolved = "the solution is not resolved";
 constexpr const char* not_asked = "no more was asked for";
 
 /// Go on to w on grids up to this one. The reason why the curve does not; empty if it does.
-std::string go_on(HalfCurve& curve, double tolerance, double w, CurvePoint& last,
+std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
                   const LawGrid& finest = law_grids.back()) {
   for (const LawGrid* grid = last.grid; grid <= &finest; ++grid) {
     const GridSolution x = solution_at(curve, grid->n, w, last.at);
@@ -116,7 +116,7 @@ std::string go_on(HalfCurve& curve, double tolerance, double w, CurvePoint& last
 
 /// The reason for the end, of which last becomes the point; there is none at w, for a reason.
 std::string find_end(HalfCurve& curve, double tolerance, double w, std::string reason,
-                     CurvePoint& last) {
+                     LawPoint& last) {
   for (int k = 0; k < (reason == not_resolved ? 3 : 14); ++k) {
     const double middle = (last.w + w) / 2;
     const std::string there = go_on(curve, tolerance, middle, last);
@@ -257,7 +257,7 @@ bool add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
 }
 
 /// The last point that has a contact up to w = 1, and the reason for an end before it.
-std::string go_to_full_slip(HalfCurve& curve, double tolerance, CurvePoint& last) {
+std::string go_to_full_slip(HalfCurve& curve, double tolerance, LawPoint& last) {
   if (go_on(curve, tolerance, 1, last).empty()) return "";
   for (const double w : {0.1, 0.4, 0.7, 0.9, 1.0}) {
     const std::string reason = go_on(curve, tolerance, w, last);
@@ -268,16 +268,16 @@ std::string go_to_full_slip(HalfCurve& curve, double tolerance, CurvePoint& last
 
 /// Add them up to the creep reach, from the last point on; the reason for an end.
 std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double tolerance,
-                                CurvePoint& last) {
+                                LawPoint& last) {
   const double farthest = reach > x.curve.all_slips ? 2 - x.curve.all_slips / reach : 1;
   const std::string at_farthest = farthest < 2 ? not_asked : "";
-  CurvePoint far = last;
+  LawPoint far = last;
   if (farthest == 1) return at_farthest;
   if (go_on(x.curve, tolerance, farthest, far, *last.grid).empty())
     return add_pieces(x, last.grid, 1, farthest, last.at) ? at_farthest : not_resolved;
   for (const double next : {1.5, 1.75, 1.9, 1.97, 1.99, 1.999, 2.0}) {
     const double w = std::min(next, farthest);
-    const CurvePoint before = last;
+    const LawPoint before = last;
     const LawGrid& finest = w < 2 ? law_grids.back() : *last.grid;
     std::string reason = go_on(x.curve, tolerance, w, last, finest);
     if (!reason.empty() && w < 2) reason = find_end(x.curve, tolerance, w, reason, last);
@@ -316,7 +316,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
                          double reach) {
   HalfInTheMaking x{{scene, formulation, creep_of_full_slip(scene, formulation, tolerance)},
                     LawErrors::Constant(tolerance)};
-  CurvePoint last;
+  LawPoint last;
   x.half.reason = go_to_full_slip(x.curve, tolerance / 3, last);
   x.half.unit_creep = last.at.value(Quantity::creep);
   x.tolerance(1) *= last.at.value(Quantity::max_temperature);
