@@ -147,14 +147,15 @@ function live_page(engine) {
     made.innerHTML = inside;
     return made;
   };
+  const renew = (place, text) => { if (place.drawn !== text) place.innerHTML = place.drawn = text; };
 
   function plot(title, note) {
     const figure = element("div", { class: "live-plot" }, `<p><b>${title}</b> <span>${note}</span></p>`);
     const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": title });
-    const picture = element("g");
-    svg.append(picture);
+    const frame = element("g"), picture = element("g", { class: "curves" });
+    svg.append(frame, picture);
     figure.append(svg);
-    return { figure, svg, picture };
+    return { figure, svg, picture, frame: (drawing) => renew(frame, drawing) };
   }
 
   function scales([x0, x1], [y0, y1]) {
@@ -215,7 +216,7 @@ function live_page(engine) {
     for (let i = 0; i < list.length; i += count) rows.push(list.slice(i, i + count));
     return rows;
   };
-  const nice = (x) => 1.18 * x;
+  const nice = (x) => 10 ** (Math.ceil(20 * Math.log10(1.12 * x)) / 20);
   const at_border = (x) => Math.min(0.995, Math.max(-0.995, x));
 
   const views = {};
@@ -231,9 +232,9 @@ function live_page(engine) {
       const column = (k) => rows.map((row) => [row[0], row[k]]);
       to = scales([-1.05, 1.05], [0, Math.max(0.74, nice(Math.max(...rows.map((row) => row[1]))))]);
       const middle = to.x((1 + c0) / 2);
+      view.frame(axes(to, marks(-1, 1), marks(0, 0.6), "s", "p*, q*"));
       view.picture.innerHTML =
         `<rect class="slips" x="${to.x(c0)}" y="${top}" width="${to.x(1) - to.x(c0)}" height="${height - top - bottom}"/>` +
-        axes(to, marks(-1, 1), marks(0, 0.6), "s", "p*, q*") +
         path(to, across.map((s) => [s, cold.hertz(s)]), "cold") + path(to, across.map((s) => [s, cold.pull(s)]), "cold") +
         path(to, column(2), "bound") + path(to, column(1), "line-p") + path(to, column(3), "line-q") +
         say(to.x(-0.62), to.y(0.56), "p*", "name-p") + say(Math.min(middle, 300), to.y(0.08), sign < 0 ? "q* < 0, slip" : "q*, slip", "name-q") +
@@ -248,7 +249,8 @@ function live_page(engine) {
     view.draw = ({ value, contact }) => {
       const rows = rows_of(contact, 5).map((row) => [row[0], row[4]]);
       const most = nice(Math.max(...rows.map((row) => row[1]), 1e-9)), to = scales([-1.05, 1.05], [0, most]);
-      view.picture.innerHTML = axes(to, marks(-1, 1), marks(0, most), "s", "v*") + path(to, rows, "line-v");
+      view.frame(axes(to, marks(-1, 1), marks(0, most), "s", "v*"));
+      view.picture.innerHTML = path(to, rows, "line-v");
       view.svg.setAttribute("aria-label", `Slip velocity, rising from 0 at ${value[border].toFixed(2)}`);
     };
     return view;
@@ -259,9 +261,10 @@ function live_page(engine) {
       const unit = instance.degrees(x), rows = rows_of(temperature, 2).map(([s, t]) => [s, t * unit]);
       const hottest = value[8] * unit, most = nice(hottest), to = scales([-1.4, 3], [0, most]);
       const name = hottest.toPrecision(4) + (unit === 1 ? "" : " °C");
+      view.frame(axes(to, marks(-1, 3), marks(0, most), "s", unit === 1 ? "T*" : "°C"));
       view.picture.innerHTML =
         `<rect class="slips" x="${to.x(value[border])}" y="${top}" width="${to.x(1) - to.x(value[border])}" height="${height - top - bottom}"/>` +
-        axes(to, marks(-1, 3), marks(0, most), "s", unit === 1 ? "T*" : "°C") + path(to, rows, "line-t") +
+        path(to, rows, "line-t") +
         dot(to, value[9], hottest, "hot") + say(Math.min(to.x(value[9]) + 3, 250), to.y(hottest) - 7, name, "name-t");
       view.svg.setAttribute("aria-label", `Surface temperature, at most ${name} at ${value[9].toFixed(2)}`);
     };
@@ -280,7 +283,8 @@ function live_page(engine) {
       const most = Math.max(f, ...rows.map((row) => row[1])) * 1.15;
       to = scales([0, Math.max(last, value[creep]) * 1.02], [0, most]);
       const cold = carter_of(x).curve, early = Array.from({ length: 41 }, (_, i) => cold(i / 40));
-      view.picture.innerHTML = axes(to, marks(0, to.x1), marks(0, most), "creep ξ*", "traction Q*") +
+      view.frame(axes(to, marks(0, to.x1), marks(0, most), "creep ξ*", "traction Q*"));
+      view.picture.innerHTML =
         path(to, [...early, [to.x1, f]].filter(([xi]) => xi <= to.x1), "cold") +
         path(to, [[0, 0], ...rows.map((row) => row.slice(0, 2))], "line-c") +
         (peak ? dot(to, ...peak, "peak") + say(Math.min(to.x(peak[0]) + 6, 232), to.y(peak[1]) - 9, `at most ${peak[1].toPrecision(4)}`, "peak") : "");
@@ -298,7 +302,8 @@ function live_page(engine) {
     view.times = (all, x) => {
       const rows = all.map((t) => [-Math.log10(t.tolerance), Math.min(0, Math.max(-5.3, Math.log10(t.microseconds) - 6))]);
       const labels = [2, 4, 6, 8, 10].map((d) => [d, `10<tspan dy="-4" font-size="8">−${d}</tspan>`]);
-      view.picture.innerHTML = axes(to, labels, powers, "tolerance", "") + path(to, rows, "line-c") +
+      view.frame(axes(to, labels, powers, "tolerance", ""));
+      view.picture.innerHTML = path(to, rows, "line-c") +
         rows.map(([d, y], i) => dot(to, d, y, `model-${all[i].model}${d === x.digits ? " now" : ""}`)).join("");
       view.svg.setAttribute("aria-label", "Time of a solve in this browser: " +
         all.map((t) => `${t.microseconds.toPrecision(2)} microseconds to ${t.tolerance} by the ${models[t.model]}`).join(", "));

@@ -16,7 +16,7 @@ PLACES = {"slider of the traction": ".traction input", "border between stick and
 
 # From a key to the drawing that follows, and to the end of the frame in which the browser lays it out and paints it.
 MEASURE = """window.measured = new Promise((done) => addEventListener("keydown", () => {
-  const begin = performance.now(), picture = %s.querySelector(".live-plot g");
+  const begin = performance.now(), picture = %s.querySelector(".live-plot .curves");
   const drawn = new MutationObserver(() => {
     const drawing = performance.now() - begin, after = new MessageChannel();
     drawn.disconnect();

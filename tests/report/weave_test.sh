@@ -795,6 +795,13 @@ END
   grep -q 'third' page.html && ! grep -q 'other' page.html || fail "another code has the colours of the first"
 }
 
+# A browser looks for what :has() names again whenever it may have come or gone. In all of the page that is a
+# third of a second at each stroke of a live drawing.
+StyleLooksThroughNoWholePage() {
+  ! grep -nE '(^|[ ,}])(:root|html|body|main|article|#text|\*)[^ ,{>]*:has\(' "$OLDPWD/paper/style.css" ||
+    fail "a selector that looks through the whole page"
+}
+
 SolverHasItsPlacesOrASentence() {
   chapter <<'END'
 # Page {#sec:page}
