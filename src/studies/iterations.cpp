@@ -99,7 +99,8 @@ int anderson(const FluxMap& map, VectorXd& h, Eigen::Index depth) {
       moves.col((step - 2) % depth) = h - last_h;
       gains.col((step - 2) % depth) = change - last;
       const MatrixXd g = gains.leftCols(used), both = moves.leftCols(used) + g;
-      next -= both * g.colPivHouseholderQr().solve(change);
+      const VectorXd weights = g.colPivHouseholderQr().solve(change);
+      next -= both * weights;
     }
     last_h = h;
     last = change;
