@@ -40,23 +40,23 @@ end
 
 local stretching = '()<mo stretchy="true" form="(%l+)">()'
 
---- Whether something between brackets is taller than a line.
-local function is_tall(html)
-  for _, mark in ipairs({ "<mfrac", "<munder", "<msqrt", "<mtable", "∑", "∫" }) do
+--- Whether something between brackets is taller than a line; in a line of text a root is not.
+local function is_tall(html, kind)
+  for _, mark in ipairs({ "<mfrac", "<munder", "<mtable", "∑", "∫", kind == "DisplayMath" and "<msqrt" or "<mtable" }) do
     if html:find(mark, 1, true) then return true end
   end
   return false
 end
 
 --- Pairs the stretching brackets; those round something flat stretch no more.
-local function settle_brackets(html)
+local function settle_brackets(html, kind)
   local opened, flat = {}, {}
   for from, form, to in html:gmatch(stretching) do
     if form == "prefix" then
       table.insert(opened, { from = from, to = to })
     elseif #opened > 0 then
       local left = table.remove(opened)
-      local settled = not is_tall(html:sub(left.to, from))
+      local settled = not is_tall(html:sub(left.to, from), kind)
       flat[left.from], flat[from] = settled, settled
     end
   end
@@ -119,7 +119,7 @@ local function written(tex, kind)
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
   html = html:gsub('^<math display="inline" xmlns="[^"]*"', "<math") -- HTML needs neither
     :gsub('^<math display="block" xmlns="[^"]*"', '<math display="block"')
-  return settle_brackets(html)
+  return settle_brackets(html, kind)
 end
 
 -- Half of a page's formulas have stood in it before.

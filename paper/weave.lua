@@ -482,7 +482,9 @@ local function shortened_text(blocks)
         and not introduces(block, following) then
       out:extend(above)
       above = pandoc.List()
-      out:insert(block)
+      out:insert(pandoc.walk_block(block, { Span = function(span)
+        return span.classes:includes("report") and {} or nil
+      end }))
     end
   end
   return out
@@ -736,8 +738,8 @@ local function figure(image)
   local svg, data = part("build/figures/" .. name .. ".svg"), part("build/data/" .. name .. ".csv")
   table.insert(drawn, { name = name, id = id, drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
   local sources = string.format(' <span class="sources">%s '
-    .. '<a href="data:application/gzip;base64,%s" download="%s.csv.gz">data</a></span>',
-    link("script:" .. name, "script"), packed(data), name)
+    .. '<a href="data:application/gzip;base64,%s" download="%s.csv.gz">data</a> %s %s</span>',
+    link("script:" .. name, "script"), packed(data), name, link("command:" .. name, "command"), link("check:" .. name, "test"))
   local text = caption("Figure", number, image.caption)
   text:insert(pandoc.RawInline("html", sources))
   return { raw('<figure id="' .. escape(id) .. '">\n<div class="drawing">'),
@@ -1318,8 +1320,9 @@ local function script_listings()
     scripts:insert({ name = name, note = note, code = lines, lang = "r" })
   end
   for _, item in ipairs(drawn) do
-    script(item.name, string.format("%s · make build/figures/%s.svg · ctest --test-dir build/release -R ShowsItsData/%s$",
-      referred(item.id), item.name, (item.name:gsub("-", "_"))))
+    script(item.name, string.format('%s · <span id="command:%s">make build/figures/%s.svg</span> · '
+      .. '<span id="check:%s">ctest --test-dir build/release -R ShowsItsData/%s$</span>',
+      referred(item.id), item.name, item.name, item.name, (item.name:gsub("-", "_"))))
   end
   script("style", "the style of all figures")
   highlight_all(scripts)

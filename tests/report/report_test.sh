@@ -238,6 +238,30 @@ FrontLeadsOn() {
   [ "$(sed 's/<[^>]*>//g' <<<"${front#*aria-label=\"Abstract\"}" | head -3 | wc -w)" -lt 110 ] || fail "the abstract is long"
 }
 
+# Of the three paragraphs on what was found each leads to a section or table, to code and to a test.
+FindingsLeadToTheirEvidence() {
+  local kind found
+  for kind in What\ {holds,does\ not,is\ new}; do
+    found=$(xpath "//*[@class='brief']/*[local-name()='p'][starts-with(., '$kind.')]//@href")
+    for target in '#\(sec\|tbl\):' '#lst:' '#test:'; do
+      grep -q "\"$target" <<<"$found" || fail "'$kind' has no link to $target: $found"
+    done
+  done
+}
+
+# Below each drawing: its script, its data, the command that draws it and the test of it.
+DrawingsHaveFourLinks() {
+  local name figures
+  figures=$(xpath "//*[@class='drawing']/following-sibling::*/*[@class='sources']/*[1]/@href" | sed 's/.*"#script:\(.*\)"/\1/')
+  [ "$(wc -w <<<"$figures")" -gt 30 ] || fail "hardly any drawing"
+  for name in $figures; do
+    for target in "href=\"#command:$name\"" "href=\"#check:$name\"" "download=\"$name.csv.gz\"" \
+      "id=\"command:$name\">make build/figures/$name.svg<" "id=\"check:$name\">ctest"; do
+      grep -qF "$target" "$report" || fail "the drawing $name lacks $target"
+    done
+  done
+}
+
 # The tests on the claims are in the page, each with its command; each name leads to its test.
 TestsOfTheClaimsAreFolded() {
   local name
