@@ -146,7 +146,7 @@ std::string as_given(const thermoroll_scene& x) {
 }
 
 Approach approach_of(const thermoroll_scene& x) {
-  if (x.unused != 0) throw std::invalid_argument("unused is not 0");
+  require(x.places == THERMOROLL_ALONG_CONTACT, "places", x.places, "0, or 1 in a profile");
   return {word<Formulation>("formulation", x.formulation, THERMOROLL_CORRECTED), x.tolerance,
           word<Method>("method", x.method, THERMOROLL_GAUSS_CHEBYSHEV), x.nodes};
 }
@@ -314,7 +314,8 @@ void solve_row(const thermoroll_scene& scene, thermoroll_result& result) noexcep
   attempt(result, [&] {
     const SolvedScene x = solve_scene(given_scene(scene));
     refuse_what_is_no_contact(x.solution);
-    result = result_of(x);
+    const thermoroll_result found = result_of(x);
+    result = found;
   });
 }
 
@@ -349,7 +350,64 @@ void copy(const Profile& from, thermoroll_point* to) {
              from.heat_flux(k),
              from.temperature(k),
              shared ? from.heat_flux_1(k) : from.heat_flux(k),
-             shared ? from.heat_flux_2(k) : 0};
+             shared ? from.heat_flux_2(k) : 0,
+             0,
+             std::nan("")};
+}
+
+thermoroll_result along_contact(const thermoroll_scene& scene, thermoroll_point* points,
+                                std::size_t count) {
+  require(2 <= count && count <= 100000, "count", static_cast<double>(count), "from 2 to 100000");
+  const SolvedScene x = solve_scene(given_scene(scene));
+  refuse_what_is_no_contact(x.solution);
+  const Profile found = profile(x.solution, static_cast<int>(count));
+  require_finite((found.pressure * 0 + found.traction * 0 + found.slip * 0 + found.heat_flux * 0 +
+                      found.temperature * 0 ==
+                  0)
+                     .all());
+  const thermoroll_result told = result_of(x);
+  copy(found, points);
+  return told;
+}
+
+std::vector<CurvePoint> temperatures_of(const Solution& x, const thermoroll_point* points,
+                                        std::size_t count) {
+  std::vector<CurvePoint> all;
+  std::vector<double> at;
+  for (std::size_t k = 0; k < count; ++k) {
+    at.push_back(points[k].s);
+    if (k + 1 < count && points[k + 1].depth == points[k].depth) continue;
+    const Curve curve = temperature_curve(x, at, points[k].depth);
+    all.insert(all.end(), curve.points.begin(), curve.points.end());
+    at.clear();
+  }
+  return all;
+}
+
+thermoroll_point empty_point(double s, double depth) {
+  const double none = std::nan("");
+  return {sizeof(thermoroll_point), 0, s, none, none, none, none, none, none, none, depth, none};
+}
+
+thermoroll_result where_given(const thermoroll_scene& scene, thermoroll_point* points,
+                              std::size_t count) {
+  require(count <= 100000, "count", static_cast<double>(count), "from 1 to 100000");
+  for (std::size_t k = 0; k < count; ++k) {
+    require(true, "s", points[k].s, "finite");
+    require(points[k].depth >= 0, "depth", points[k].depth, "zero or positive");
+  }
+  thermoroll_scene plain = scene;
+  plain.places = THERMOROLL_ALONG_CONTACT;
+  const SolvedScene x = solve_scene(given_scene(plain));
+  refuse_what_is_no_contact(x.solution);
+  const thermoroll_result told = result_of(x);
+  const std::vector<CurvePoint> found = temperatures_of(x.solution, points, count);
+  for (const CurvePoint& point : found) require_finite(std::isfinite(point.temperature));
+  for (std::size_t k = 0; k < count; ++k) {
+    points[k].temperature = found[k].temperature;
+    points[k].temperature_error = found[k].error.value_or(std::nan(""));
+  }
+  return told;
 }
 
 std::pair<Scene, LawUnits> scene_of_law(const thermoroll_scene& x) {
@@ -442,20 +500,13 @@ int thermoroll_profile(const thermoroll_scene* scene, thermoroll_result* result,
   if (count == 0 || !is_known(scene) || !is_known(result) || !is_known(points))
     return THERMOROLL_REFUSED;
   thermoroll_result told = empty_result();
+  const bool as_given = scene->places == THERMOROLL_AS_GIVEN;
   const double none = std::nan("");
-  std::fill(points, points + count,
-            thermoroll_point{sizeof *points, 0, none, none, none, none, none, none, none, none});
+  for (size_t k = 0; k < count; ++k)
+    points[k] = as_given ? empty_point(points[k].s, points[k].depth) : empty_point(none, none);
   attempt(told, [&] {
-    require(2 <= count && count <= 100000, "count", static_cast<double>(count), "from 2 to 100000");
-    const SolvedScene x = solve_scene(given_scene(*scene));
-    refuse_what_is_no_contact(x.solution);
-    const Profile found = profile(x.solution, static_cast<int>(count));
-    require_finite((found.pressure * 0 + found.traction * 0 + found.slip * 0 + found.heat_flux * 0 +
-                        found.temperature * 0 ==
-                    0)
-                       .all());
-    told = result_of(x);
-    copy(found, points);
+    const thermoroll_result found = (as_given ? where_given : along_contact)(*scene, points, count);
+    told = found;
   });
   for (size_t k = 0; k < count; ++k) points[k].status = told.status;
   *result = told;

@@ -14,6 +14,7 @@ module thermoroll
     enumerator :: thermoroll_rational, thermoroll_piecewise_linear
     enumerator :: thermoroll_rising = 0, thermoroll_falling
     enumerator :: thermoroll_printed = 0, thermoroll_corrected
+    enumerator :: thermoroll_along_contact = 0, thermoroll_as_given
     enumerator :: thermoroll_auto = 0, thermoroll_closed_form, thermoroll_first_order
     enumerator :: thermoroll_coupled, thermoroll_gauss_chebyshev
     enumerator :: thermoroll_no_model = -1, thermoroll_model_closed_form
@@ -31,7 +32,7 @@ module thermoroll
     real(c_double) :: friction_temperature, friction_floor, friction_reference_temperature
     integer(c_int32_t) :: method, formulation
     real(c_double) :: tolerance
-    integer(c_int32_t) :: nodes, unused
+    integer(c_int32_t) :: nodes, places
     real(c_double) :: load, speed, half_width, radius, shear_modulus, poisson
     real(c_double) :: expansion, diffusivity, conductivity
     real(c_double) :: expansion_2, conductivity_2, diffusivity_2
@@ -62,6 +63,7 @@ module thermoroll
   type, bind(c) :: thermoroll_point
     integer(c_int32_t) :: size, status
     real(c_double) :: s, pressure, traction, slip, heat_flux, temperature, heat_flux_1, heat_flux_2
+    real(c_double) :: depth, temperature_error
   end type
   type, bind(c) :: thermoroll_law_info
     integer(c_int32_t) :: size, status

@@ -34,6 +34,7 @@ enum thermoroll_friction_law {
 };
 enum thermoroll_branch { THERMOROLL_RISING, THERMOROLL_FALLING };
 enum thermoroll_formulation { THERMOROLL_PRINTED, THERMOROLL_CORRECTED };
+enum thermoroll_places { THERMOROLL_ALONG_CONTACT, THERMOROLL_AS_GIVEN };
 
 enum thermoroll_method {
   THERMOROLL_AUTO,
@@ -84,7 +85,7 @@ struct thermoroll_scene {
   int32_t formulation;            ///< enum thermoroll_formulation; corrected
   double tolerance;               ///< 1e-11 to 1e-2; 1e-6
   int32_t nodes;                  ///< of the published scheme, 3 to 5000; 200
-  int32_t unused;                 ///< 0
+  int32_t places;                 ///< enum thermoroll_places, of a profile; else along contact
   double load, speed;             ///< P, N/m; V, m/s; 0 for a dimensionless scene, as the next
   double half_width, radius;      ///< one of them: a of the contact, or R of the cylinder; m
   double shear_modulus, poisson;  ///< of both bodies: mu, Pa; nu
@@ -146,15 +147,19 @@ struct thermoroll_result {
   char notes[256];  ///< data that are beyond the model, such as a modulus in GPa; or empty
 };
 
-/// A point along the contact, which the surfaces enter at s = -1 and leave at s = 1.
+/// A point along the contact, which the surfaces enter at s = -1 and leave at s = 1; or where the
+/// caller sets s and the depth, of which the temperature and its error are told and the rest is
+/// NaN.
 struct thermoroll_point {
   uint32_t size;                    ///< sizeof(struct thermoroll_point), set in the first
   int32_t status;                   ///< that of the scene
-  double s;                         ///< x / a, from -1 to 1
+  double s;                         ///< x / a, from -1 to 1; any as given
   double pressure, traction;        ///< p*; q*, negative when braking
   double slip, heat_flux;           ///< v*, negative when braking; v* p*
   double temperature;               ///< T*, over the bulk temperature
   double heat_flux_1, heat_flux_2;  ///< into the half-space; into the roller
+  double depth;                     ///< y / a in the half-space: 0 along the contact; any >= 0
+  double temperature_error;         ///< estimated, absolute, of places as given; else NaN
 };
 
 /// The law of all creeps of a scene.
@@ -198,9 +203,11 @@ THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
                                        int threads);
 
 /// Solve a scene and evaluate its curves at `count` points from s = -1 to 1, 2 to 100000, which are
-/// dense at the edges and at the border. Returns the status of the scene, which its result has too;
-/// the points of a scene that failed are NaN. Returns 2, and writes nothing, if an array is null or
-/// has another size.
+/// dense at the edges and at the border. Where the scene has THERMOROLL_AS_GIVEN, the caller has
+/// set s and depth of 1 to 100000 points, and the temperatures there are told; the published scheme
+/// has them at depth 0 only, without errors. Returns the status of the scene, which its result has
+/// too; what is told of a scene that failed is NaN. Returns 2, and writes nothing, if an array is
+/// null or has another size.
 THERMOROLL_EXPORT int thermoroll_profile(const struct thermoroll_scene* scene,
                                          struct thermoroll_result* result,
                                          struct thermoroll_point* points, size_t count);

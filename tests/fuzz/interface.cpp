@@ -51,7 +51,22 @@ void examine_profile(const thermoroll_scene& scene, const thermoroll_result& tol
   const int status = thermoroll_profile(&scene, &result, points, 5);
   if (status != told.status) fuzz::fail("another status of the profile");
   for (const thermoroll_point& point : points)
-    if (are_finite(&point.s, 8) != (status == THERMOROLL_DONE)) fuzz::fail("a point");
+    if (are_finite(&point.s, 9) != (status == THERMOROLL_DONE)) fuzz::fail("a point");
+}
+
+// Temperatures at places are all there or not at all; below the surface they may be unresolved.
+void examine_places(thermoroll_scene scene, const thermoroll_result& told) {
+  thermoroll_result result{};
+  thermoroll_point points[4]{};
+  result.size = sizeof result;
+  points[0].size = sizeof points[0];
+  scene.places = THERMOROLL_AS_GIVEN;
+  for (int k = 0; k < 4; ++k) points[k].s = 0.7 * k;
+  points[1].depth = points[2].depth = 0.01;
+  const bool done = thermoroll_profile(&scene, &result, points, 4) == THERMOROLL_DONE;
+  if (done && told.status != THERMOROLL_DONE) fuzz::fail("places of nothing");
+  for (const thermoroll_point& point : points)
+    if (std::isfinite(point.temperature) != done) fuzz::fail("a place");
 }
 
 }  // namespace
@@ -72,7 +87,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     examine(scenes[k], results[k]);
     all = all && results[k].status == THERMOROLL_DONE;
   }
-  examine_profile(scenes[0], results[0]);
+  if (scenes[0].places == THERMOROLL_ALONG_CONTACT) {
+    examine_profile(scenes[0], results[0]);
+    examine_places(scenes[0], results[0]);
+  }
   if (status != (all ? THERMOROLL_DONE : THERMOROLL_ROWS_FAILED)) fuzz::fail("another sum of all");
   return 0;
 }

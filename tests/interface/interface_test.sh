@@ -30,7 +30,7 @@ ShowsItsFunctionsOnly() {
 StructuresAreTheSame() {
   python3 tests/interface/structures.py c src/include/thermoroll.h >"$work/c"
   python3 tests/interface/structures.py fortran src/include/thermoroll.f90 | diff "$work/c" - || fail "Fortran differs"
-  [ "$(grep -c '^scene ' "$work/c") $(grep -c '^values ' "$work/c") $(grep -c '^word ' "$work/c")" = '36 15 34' ] ||
+  [ "$(grep -c '^scene ' "$work/c") $(grep -c '^values ' "$work/c") $(grep -c '^word ' "$work/c")" = '36 15 36' ] ||
     fail "not all were found: $(cut -d' ' -f1 "$work/c" | uniq -c)"
   grep -vE '^word .*(model|done|failed|refused|not_converged|no_contact)' "$work/c" | sort >"$work/of-python"
   python3 tests/interface/structures.py python src/python/thermoroll/__init__.py | sort | diff "$work/of-python" - ||
@@ -92,6 +92,11 @@ program all
   if (thermoroll_profile(scene, result, points, 3_c_size_t) /= 0 .or. points(3)%status /= 0) stop 6
   if (points(1)%s /= -1 .or. points(3)%s /= 1 .or. points(2)%traction <= 0) stop 7
   if (abs(result%value%traction - 0.273335d0) > 1d-3) stop 8
+  scene%places = thermoroll_as_given
+  points%s = [0d0, 1.5d0, 1.5d0]
+  points%depth = [0d0, 0d0, 0.01d0]
+  if (thermoroll_profile(scene, result, points, 3_c_size_t) /= 0 .or. points(2)%s /= 1.5d0) stop 9
+  if (points(2)%temperature <= points(3)%temperature .or. points(3)%temperature_error <= 0) stop 10
   call c_f_pointer(thermoroll_message(0), text, [4])
   if (text(1) // text(2) // text(3) // text(4) /= 'done') stop 4
   call c_f_pointer(thermoroll_version(), text, [2])

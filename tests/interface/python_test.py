@@ -142,6 +142,37 @@ def ProfilesThatAreNot():
         raises(ValueError, "points must be from 2 to 100000", thermoroll.profile, **steel, traction=0.1, points=points)
 
 
+def TemperaturesAreThoseOfTheProgram(program):
+    """A map of positions and depths, column by column; those in units to the rounding of a product."""
+    at, depth = np.linspace(-1.5, 3, 7), np.array([[0.0], [0.05]])
+    for scene in ({**steel, "traction": 0.5}, wheels[1]):
+        command = [program, "temperature", *options(scene), "--at=-1.5:3:7", "--depth", "0,0.05"]
+        lines = subprocess.run(command, capture_output=True, check=True, text=True).stdout.splitlines()
+        expected = np.genfromtxt(lines, delimiter=",", names=True)
+        found = thermoroll.temperature(at=at, depth=depth, **scene)
+        assert found.temperature.shape == (2, 7)
+        for name in expected.dtype.names:
+            column = getattr(found, name.replace("error_estimate", "temperature_error"))
+            np.testing.assert_allclose(column.ravel(), expected[name], rtol=4e-16, err_msg=name)
+        in_si = "load" in scene
+        assert ("depth_m" in expected.dtype.names) == (found.depth_m is not None) == in_si
+        assert ("absolute_temperature_celsius" in expected.dtype.names) == (found.absolute_temperature_celsius is not None)
+        if in_si:
+            ratio = found.temperature_error_celsius / found.temperature_error
+            np.testing.assert_allclose(ratio, found.temperature_celsius[0, 3] / found.temperature[0, 3])
+        assert found.solution.traction == thermoroll.solve(**scene).traction
+    assert np.shape(thermoroll.temperature(at=2, **steel, traction=0.5).temperature) == ()
+
+
+def PlacesThatAreNot():
+    raises(ValueError, "depth = -1 is not allowed", thermoroll.temperature, at=0, depth=-1, **steel, traction=0.1)
+    raises(ValueError, "s = nan is not allowed", thermoroll.temperature, at=np.nan, **steel, traction=0.1)
+    raises(ValueError, "from 1 to 100000 places", thermoroll.temperature, at=np.zeros(100001), **steel, traction=0.1)
+    raises(ValueError, "from 1 to 100000 places", thermoroll.temperature, at=[], **steel, traction=0.1)
+    raises(ValueError, "single numbers", thermoroll.temperature, at=0, **steel, traction=[0.1, 0.2])
+    raises(TypeError, "at must be real numbers", thermoroll.temperature, at="0", **steel, traction=0.1)
+
+
 def SiDataAreWhole():
     """What is missing is named at once; the reference temperature is absolute, as on the command line."""
     raises(TypeError, "peclet is needed, or data in SI units", thermoroll.solve, friction=0.6, traction=0.1)

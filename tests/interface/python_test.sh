@@ -25,6 +25,8 @@ SameAsTheProgram() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
 SameAsTheProgramInSiUnits() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
 ProfileIsThatOfTheProgram() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
 ProfilesThatAreNot() { run "${FUNCNAME[0]}"; }
+TemperaturesAreThoseOfTheProgram() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
+PlacesThatAreNot() { run "${FUNCNAME[0]}"; }
 SiDataAreWhole() { run "${FUNCNAME[0]}"; }
 RefusesWhatIsNoNumber() { run "${FUNCNAME[0]}"; }
 LawInSiUnits() { run "${FUNCNAME[0]}"; }

@@ -148,7 +148,8 @@ TEST(Interface, StructuresAreFixed) {
   EXPECT_EQ(sizeof(thermoroll_result), 1016U);
   EXPECT_EQ(offsetof(thermoroll_result, unit), 512U);
   EXPECT_EQ(offsetof(thermoroll_result, notes), 760U);
-  EXPECT_EQ(sizeof(thermoroll_point), 72U);
+  EXPECT_EQ(sizeof(thermoroll_point), 88U);
+  EXPECT_EQ(offsetof(thermoroll_point, depth), 72U);
   EXPECT_EQ(offsetof(thermoroll_result, value), 16U);
   EXPECT_EQ(offsetof(thermoroll_result, error), 136U);
   EXPECT_EQ(offsetof(thermoroll_result, message), 256U);
@@ -375,7 +376,8 @@ TEST(Interface, RefusesWhatHasNoEffect) {
   expect_effect(steel(), &S::friction_reference_temperature, 1, law);
   expect_effect(steel(), &S::direction, THERMOROLL_BRAKING, "contradicts");
   expect_effect(steel(), &S::branch, THERMOROLL_FALLING, "branch");
-  expect_effect(steel(), &S::unused, 1, "unused");
+  expect_effect(steel(), &S::places, 1,
+                "places = 1 is not allowed: it must be 0, or 1 in a profile");
   expect_effect(conducting(), &S::conductivity_ratio, 0, "conductivity_ratio = 0");
   S creep = hot();
   creep.quantity = THERMOROLL_CREEP;
@@ -605,6 +607,81 @@ TEST(Interface, ProfileIsThatOfTheLibrary) {
       EXPECT_EQ(y.heat_flux_2, insulated ? 0 : x.heat_flux_2(k));
     }
   }
+}
+
+// A row behind the contact and two below it, of all kinds of scenes, by any order of depths.
+TEST(Interface, TemperaturesAreThoseOfTheLibrary) {
+  const std::vector<std::pair<double, double>> places{{-1, 0}, {0.3, 0},    {1.7, 0},   {1.7, 0.05},
+                                                      {40, 1}, {0.3, 0.05}, {-2, 0.05}, {1.7, 0}};
+  for (const Pair& pair : pairs()) {
+    const bool scheme = pair.c.method == THERMOROLL_GAUSS_CHEBYSHEV;
+    thermoroll_scene scene = pair.c;
+    scene.places = THERMOROLL_AS_GIVEN;
+    std::vector<thermoroll_point> points(places.size());
+    points[0].size = sizeof points[0];
+    for (std::size_t k = 0; k < places.size(); ++k) points[k].s = places[k].first;
+    if (!scheme)
+      for (std::size_t k = 0; k < places.size(); ++k) points[k].depth = places[k].second;
+    thermoroll_result result{};
+    result.size = sizeof result;
+    ASSERT_EQ(thermoroll_profile(&scene, &result, points.data(), points.size()), 0)
+        << result.message;
+    const thermoroll_result expected = answer(pair.c);
+    EXPECT_EQ(std::memcmp(&result, &expected, sizeof result), 0);
+    const Solution x = thermoroll::solve(pair.scene, pair.given, pair.approach);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const thermoroll_point& y = points[k];
+      const auto alone = thermoroll::temperature_curve(x, {y.s}, y.depth).points[0];
+      EXPECT_EQ(y.size, sizeof y);
+      EXPECT_EQ(y.status, 0);
+      EXPECT_EQ(y.s, places[k].first);
+      EXPECT_EQ(y.depth, scheme ? 0 : places[k].second);
+      // One by one or together, they are within their errors.
+      EXPECT_NEAR(y.temperature, alone.temperature, alone.error.value_or(0)) << k;
+      EXPECT_EQ(std::isnan(y.temperature_error), scheme);
+      EXPECT_TRUE(scheme || std::abs(y.temperature_error - *alone.error) <= 0.5 * *alone.error)
+          << k;
+      EXPECT_TRUE(std::isnan(y.pressure) && std::isnan(y.heat_flux_2));
+    }
+    EXPECT_EQ(points[2].temperature, points[7].temperature);
+    EXPECT_TRUE(scheme || points[5].temperature < points[1].temperature);
+  }
+}
+
+TEST(Interface, PlacesThatAreNot) {
+  thermoroll_scene scene = steel();
+  scene.places = THERMOROLL_AS_GIVEN;
+  const auto told = [&](const thermoroll_scene& of, double s, double depth) {
+    thermoroll_point points[2]{};
+    points[0].size = sizeof points[0];
+    points[1].s = s;
+    points[1].depth = depth;
+    thermoroll_result result{};
+    result.size = sizeof result;
+    EXPECT_EQ(thermoroll_profile(&of, &result, points, 2), THERMOROLL_REFUSED);
+    EXPECT_TRUE(std::isnan(points[0].temperature) && std::isnan(points[1].temperature));
+    EXPECT_EQ(points[1].status, THERMOROLL_REFUSED);
+    EXPECT_EQ(std::memcmp(&points[1].s, &s, sizeof s), 0);
+    expect_nan(result.value);
+    return std::string(result.message);
+  };
+  EXPECT_EQ(told(scene, std::nan(""), 0), "s = nan is not allowed: it must be finite");
+  EXPECT_EQ(told(scene, infinity, 0), "s = inf is not allowed: it must be finite");
+  EXPECT_EQ(told(scene, 0, -0.1), "depth = -0.1 is not allowed: it must be zero or positive");
+  EXPECT_EQ(told(scene, 0, std::nan("")).find("depth = nan is not allowed"), 0U);
+  thermoroll_scene by_scheme = scheme();
+  by_scheme.places = THERMOROLL_AS_GIVEN;
+  EXPECT_EQ(told(by_scheme, 0, 0.1).find("depth = 0.1 is not allowed: it must be 0 with"), 0U);
+  std::vector<thermoroll_point> many(100001);
+  many[0].size = sizeof many[0];
+  thermoroll_result result{};
+  result.size = sizeof result;
+  EXPECT_EQ(thermoroll_profile(&scene, &result, many.data(), many.size()), THERMOROLL_REFUSED);
+  EXPECT_STREQ(result.message, "count = 100001 is not allowed: it must be from 1 to 100000");
+  scene.places = 2;
+  thermoroll_point point{};
+  point.size = sizeof point;
+  EXPECT_EQ(thermoroll_profile(&scene, &result, &point, 1), THERMOROLL_REFUSED);
 }
 
 // Data that overflow: the program says the same with the same status, and writes nothing.

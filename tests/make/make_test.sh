@@ -408,12 +408,18 @@ InstalledPackage() { # in the copy
     "$user/example" | cmp "$user/printed" || fail "other answers by pkg-config"
   fi
 
-  sed -i 's/find_package(thermoroll /&0.0 /' "$user/CMakeLists.txt"
+  sed -i.kept 's/find_package(thermoroll /&0.0 /' "$user/CMakeLists.txt"
   ! cmake -S "$user" -B "$user/build" >/dev/null 2>&1 || fail "another version was taken for this one"
+  sed 's/(thermoroll REQUIRED/& COMPONENTS fortran/' "$user/CMakeLists.txt.kept" >"$user/CMakeLists.txt"
+  ! cmake -S "$user" -B "$user/build" >"$work/log" 2>&1 || fail "there is a component fortran"
+  grep -q 'no component fortran: there are c and cpp' "$work/log" || fail "said: $(cat "$work/log")"
 }
 
+# in_c: the README's project for CMake, in C.
+in_c() { readme cmake | sed 's/CXX)$/C)/; s/\.cpp/.c/; s/thermoroll::thermoroll/thermoroll::c/; s/(thermoroll REQUIRED/& COMPONENTS c/'; }
+
 # The library for C and the Python module that make install puts there, by CMake and pkg-config, and by
-# the folder on Python's path.
+# the folder on Python's path. In C neither Eigen nor GSL is looked for.
 InstalledForOtherLanguages() { # in the copy
   in_copy all
   local prefix="$work/prefix" user="$work/user" python
@@ -424,8 +430,9 @@ InstalledForOtherLanguages() { # in the copy
   mkdir "$user"
   readme c >"$user/example.c"
   readme out | head -3 >"$user/expected"
-  readme cmake | sed 's/CXX)$/C)/; s/\.cpp/.c/; s/thermoroll::thermoroll/thermoroll::c/' >"$user/CMakeLists.txt"
-  cmake -S "$user" -B "$user/build" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null || fail "see above"
+  in_c >"$user/CMakeLists.txt"
+  cmake --no-warn-unused-cli -S "$user" -B "$user/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_DISABLE_FIND_PACKAGE_{Eigen3,GSL}=ON >/dev/null ||
+    fail "see above"
   cmake --build "$user/build" >/dev/null || fail "see above"
   "$user/build/example" | diff "$user/expected" - || fail "other answers by CMake"
   if command -v pkg-config >/dev/null; then
@@ -443,25 +450,52 @@ print(thermoroll.solve(friction=0.6, traction=0.3, peclet=4360, heating=0.0175).
     fail "the Python module does not find its library"
 }
 
-# Within another project the target and the include path are those of the installed package. What only
-# the program needs is not looked for, and the library is all there is to build.
-UsedInAnotherProject() {
-  local user="$work/user" how goals
+# other_project HOW CMAKELISTS: a project that takes the sources in by add_subdirectory or FetchContent in
+# place of find_package, configured.
+other_project() {
+  user="$work/user"
+  rm -rf "$user"
   mkdir -p "$user"
   readme cpp >"$user/example.cpp"
+  readme c >"$user/example.c"
   ln -s "$project" "$user/thermoroll"
-  chapter cmake | grep '^add_subdirectory' >"$work/add_subdirectory"
-  chapter cmake | grep FetchContent >"$work/FetchContent"
-  [ "$(cat "$work/add_subdirectory" "$work/FetchContent" | wc -l)" = 4 ] || fail "the chapter has other lines"
+  chapter cmake | if [ "$1" = FetchContent ]; then grep FetchContent; else grep '^add_subdirectory'; fi >"$work/lines"
+  [ "$(wc -l <"$work/lines")" = "$([ "$1" = FetchContent ] && echo 3 || echo 1)" ] || fail "the chapter has other lines"
+  sed -e "/^find_package/{r $work/lines" -e 'd}' "$2" >"$user/CMakeLists.txt"
+  cmake -Wno-dev --no-warn-unused-cli -G 'Unix Makefiles' -S "$user" -B "$user/build" -DFETCHCONTENT_SOURCE_DIR_THERMOROLL="$project" \
+    -DTHERMOROLL_TOGETHER=ON -DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,nlohmann_json,GTest,benchmark}=ON >/dev/null || fail "$1: see above"
+}
+
+# targets: those that its default goal still compiles something of. (What is linked is not there yet, hence -k.)
+targets() { { make -C "$user/build" -nk 2>/dev/null || true; } | grep -oE '[a-z-]+\.dir/[^ ]*\.o ' | cut -d. -f1 | sort -u | paste -sd' '; }
+
+# Within another project the targets and the include path are those of the installed package. What only
+# the program needs is not looked for, and the libraries are all there is to build, that for C if it is linked.
+UsedInAnotherProject() {
+  local how user
+  readme cmake >"$work/cpp"
+  in_c >"$work/c"
   for how in add_subdirectory FetchContent; do
-    rm -rf "$user/build"
-    readme cmake | sed -e "/^find_package/{r $work/$how" -e 'd}' >"$user/CMakeLists.txt"
-    cmake -Wno-dev --no-warn-unused-cli -G 'Unix Makefiles' -S "$user" -B "$user/build" -DFETCHCONTENT_SOURCE_DIR_THERMOROLL="$project" \
-      -DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,nlohmann_json,GTest,benchmark}=ON >/dev/null || fail "$how: see above"
+    other_project $how "$work/c"
+    cmake --build "$user/build" --target example.c.o >/dev/null || fail "$how: thermoroll.h is not found"
+    [ "$(targets)" = 'thermoroll thermoroll-c' ] || fail "$how builds $(targets)"
+    other_project $how "$work/cpp"
     cmake --build "$user/build" --target example.cpp.o >/dev/null || fail "$how: the header is not found"
-    goals=$(cmake --build "$user/build" --target help | sed -n 's/^\.\.\. \([^.]*\)$/\1/p' | grep -e thermoroll -e test | sort | paste -sd ' ')
-    [ "$goals" = 'thermoroll thermoroll-options' ] || [ "$goals" = thermoroll ] || fail "$how builds $goals"
+    [ "$(targets)" = thermoroll ] || fail "$how builds $(targets)"
   done
+}
+
+# The README's program in C and that in C++ answer there as it says.
+AnswersInAnotherProject() { # for a release
+  local user
+  in_c | sed '$a add_executable(in_cpp example.cpp)\ntarget_link_libraries(in_cpp PRIVATE thermoroll::thermoroll)' |
+    sed 's/ C)$/ C CXX)/' >"$work/both"
+  other_project add_subdirectory "$work/both"
+  cmake --build "$user/build" >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  "$user/build/example" | diff <(readme out | head -3) - || fail "other answers in C"
+  "$user/build/in_cpp" >"$user/printed"
+  readme text >"$user/expected"
+  same_answers "$user/expected" "$user/printed" || fail "other answers in C++: $(cat "$user/printed")"
 }
 
 # The builds that look for mistakes stop at a warning, and so does the program that is compiled for the

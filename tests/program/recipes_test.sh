@@ -45,6 +45,19 @@ CurvesAtThreeSpeeds() {
   awk -v slow="$slow" -v fast="$fast" 'BEGIN { exit !(0 < fast && fast < slow) }' || fail "$fast is not less than $slow"
 }
 
+# The picture has a curve, its name and its place for each speed of the table, and axes that reach as far.
+OtherSpeedsAreDrawn() {
+  sed "s/^speeds=.*/speeds='30 55 70 90'/; s/0\.03/0.012/" "$recipes/curves.sh" >others.sh
+  sh others.sh
+  gnuplot -e "data = 'curves.csv'; output = 'curves.svg'" "$project/figures/recipe-curves.gp"
+  [ "$(grep -o '<title>[0-9]* m/s, [a-z]*' curves.svg | cut -d'>' -f2 | paste -sd+)" = \
+    "30 m/s, force+55 m/s, force+70 m/s, force+90 m/s, force+30 m/s, temperature+55 m/s, temperature+70 m/s, temperature+90 m/s, temperature" ] ||
+    fail "$(grep -o '<title>[^<]*' curves.svg)"
+  [ "$(grep -oE '>[0-9]+ m/s</tspan>' curves.svg | sort | uniq -c | tr -s ' ' | paste -sd,)" = \
+    " 2 >30 m/s</tspan>, 2 >55 m/s</tspan>, 2 >70 m/s</tspan>, 2 >90 m/s</tspan>" ] || fail "$(grep -o '>[^<>]* m/s<' curves.svg)"
+  ! grep -qE '> (2|3|300)</tspan>' curves.svg || fail "the axes are those of other data"
+}
+
 # The surface, at its points and in its units, and cooler below.
 TemperaturesInCelsius() {
   cook celsius.sh

@@ -22,7 +22,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Law", "LawValues", "Physical", "Profile", "Solution", "Values", "law", "profile", "solve", "version"]
+__all__ = ["Law", "LawValues", "Physical", "Profile", "Solution", "Temperatures", "Values"]
+__all__ += ["law", "profile", "solve", "temperature", "version"]
 
 def _structure(*members: str) -> np.dtype:
     return np.dtype([tuple(member.split()) for line in members for member in line.split(",")])
@@ -32,7 +33,7 @@ _scene = _structure(
     "size u4, quantity i4, given f8, friction f8, peclet f8, heating f8, roller i4, direction i4",
     "conductivity_ratio f8, heating_2 f8, peclet_2 f8, bulk_difference f8, friction_law i4",
     "branch i4, friction_temperature f8, friction_floor f8, friction_reference_temperature f8",
-    "method i4, formulation i4, tolerance f8, nodes i4, unused i4",
+    "method i4, formulation i4, tolerance f8, nodes i4, places i4",
     "load f8, speed f8, half_width f8, radius f8, shear_modulus f8, poisson f8, expansion f8",
     "diffusivity f8, conductivity f8, expansion_2 f8, conductivity_2 f8, diffusivity_2 f8",
     "bulk_temperature f8, bulk_temperature_2 f8",
@@ -56,7 +57,7 @@ _result = np.dtype(
 )
 _point = _structure(
     "size u4, status i4, s f8, pressure f8, traction f8, slip f8, heat_flux f8, temperature f8",
-    "heat_flux_1 f8, heat_flux_2 f8",
+    "heat_flux_1 f8, heat_flux_2 f8, depth f8, temperature_error f8",
 )
 _law_info = _structure("size u4, status i4, driving_end f8, braking_end f8, message S256")
 _law_value = _structure(
@@ -112,6 +113,7 @@ _words = {
     "branch": ("rising", "falling"),
     "method": ("auto", *_models, "gauss-chebyshev"),
     "formulation": ("printed", "corrected"),
+    "places": ("along-contact", "as-given"),
 }
 
 def _numbers(name: str, value: ArrayLike) -> NDArray:
@@ -385,31 +387,78 @@ def _raise(told: NDArray) -> None:
     raised = ValueError if told["status"] == 2 else RuntimeError
     raise raised(told["message"][()].decode())
 
+def _points(rows: NDArray, places: str, scene: dict[str, ArrayLike]) -> tuple[NDArray, NDArray, bool]:
+    """The scene, its answer, and whether it is in SI units; fills the rows."""
+    if "threads" in scene:
+        raise TypeError("a profile is of one scene and has no threads")
+    members = inspect.signature(solve).bind(**scene)
+    members.apply_defaults()
+    del members.arguments["threads"]
+    given = _scenes({**members.arguments, "places": places})
+    if given.shape:
+        raise ValueError("a profile is of one scene: its arguments are single numbers")
+    result = np.zeros((), _result)
+    rows["size"], result["size"] = _point.itemsize, _result.itemsize
+    if _profile(given.ctypes.data, result.ctypes.data, rows.ctypes.data, rows.size) != 0:
+        _raise(result)
+    return given, result, _in_si(members.arguments)
+
 def profile(*, points: int = 401, **scene: ArrayLike) -> Profile:
     """Curves along the contact of one scene, with the arguments of solve() as single numbers.
 
     points: how many, 2 to 100000, dense at the edges and at the border. Raises ValueError for data
     out of range, RuntimeError if there is no solution, and TypeError as solve() does.
     """
-    if "threads" in scene:
-        raise TypeError("a profile is of one scene and has no threads")
-    members = inspect.signature(solve).bind(**scene)
-    members.apply_defaults()
-    del members.arguments["threads"]
-    given, in_si = _scenes(members.arguments), _in_si(members.arguments)
-    if given.shape:
-        raise ValueError("a profile is of one scene: its arguments are single numbers")
     if not 2 <= operator.index(points) <= 100_000:
         raise ValueError("points must be from 2 to 100000")
-    rows, result = np.zeros(points, _point), np.zeros((), _result)
-    rows["size"], result["size"] = _point.itemsize, _result.itemsize
-    if _profile(given.ctypes.data, result.ctypes.data, rows.ctypes.data, points) != 0:
-        _raise(result)
+    rows = np.zeros(points, _point)
+    given, result, in_si = _points(rows, "along-contact", scene)
     curves = _columns(rows)
-    del curves["size"], curves["status"]
+    for name in ("size", "status", "depth", "temperature_error"):
+        del curves[name]
     if in_si:
         curves.update(_curves_in_si(rows, result["unit"], given["bulk_temperature"]))
     return Profile(**curves, solution=_solution(result, in_si))
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Temperatures:
+    """Temperatures of the half-space at places of one shape, and their estimated absolute errors."""
+
+    s: NDArray  #: x / a; the contact is from -1 to 1
+    depth: NDArray  #: y / a
+    temperature: NDArray  #: T*, over the bulk temperature
+    temperature_error: NDArray  #: of T*; NaN for the published scheme
+    solution: Solution  #: the results of the scene, numbers
+    x_m: NDArray | None = None  #: as above, of data in SI units
+    depth_m: NDArray | None = None
+    temperature_celsius: NDArray | None = None  #: the rise
+    temperature_error_celsius: NDArray | None = None
+    absolute_temperature_celsius: NDArray | None = None  #: with a bulk temperature
+
+def temperature(*, at: ArrayLike, depth: ArrayLike = 0.0, **scene: ArrayLike) -> Temperatures:
+    """Temperatures of one scene at the positions s = at and at depths, broadcast against each other.
+
+    at: x / a, any finite numbers; behind the contact they are above 1. depth: y / a >= 0 in the
+    half-space; 0 for the published scheme. At most 100000 places. The other arguments are those of
+    solve() as single numbers. Raises ValueError for data out of range, RuntimeError if there is no
+    solution, and TypeError as solve() does.
+    """
+    s, y = np.broadcast_arrays(_numbers("at", at), _numbers("depth", depth))
+    rows = np.zeros(s.shape, _point)
+    rows["s"], rows["depth"] = s, y
+    if not 1 <= rows.size <= 100_000:
+        raise ValueError("there must be from 1 to 100000 places")
+    given, result, in_si = _points(rows, "as-given", scene)
+    names = ("s", "depth", "temperature", "temperature_error")
+    found = {name: rows[name].copy()[()] for name in names}
+    if in_si:
+        unit, bulk = result["unit"], given["bulk_temperature"]
+        found.update(x_m=found["s"] * unit["length"], depth_m=found["depth"] * unit["length"])
+        for name in names[2:]:
+            found[name + "_celsius"] = found[name] * unit["temperature"]
+        if not np.isnan(bulk):
+            found["absolute_temperature_celsius"] = bulk + found["temperature_celsius"]
+    return Temperatures(**found, solution=_solution(result, in_si))
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class LawValues:
