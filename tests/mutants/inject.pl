@@ -41,6 +41,10 @@ for my $m (@mutants) {
     problem($m->{line}, 'a mutant needs its tests, a line "- CODE«CODE»CODE" and a line "+ CODE"');
     next;
   }
+  if ($old !~ /.;$/ && ($m->{'+'} =~ /^\s*$/ || $old =~ /^([,;:?]|[!=<>&|]=|&&|\|\|)|([,;:?=]|&&|\|\|)$/)) {
+    problem($m->{line}, "neither an expression and another, nor statements: $old");
+    next;
+  }
   $text{$name} //= text_of($name);
   my ($head, $body, $tail, @found) = map { pattern($_) } $before, $old, $after;
   while ($text{$name} =~ /($head)($body)(?=$tail)/g) { push @found, [$-[2], $+[2]]; }
