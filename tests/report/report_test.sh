@@ -238,13 +238,13 @@ FrontLeadsOn() {
   [ "$(sed 's/<[^>]*>//g' <<<"${front#*aria-label=\"Abstract\"}" | head -3 | wc -w)" -lt 110 ] || fail "the abstract is long"
 }
 
-# Of the three paragraphs on what was found each leads to a section or table, to code and to a test.
+# Of the three paragraphs on what was found each leads to a section, to code and to a test.
 FindingsLeadToTheirEvidence() {
-  local kind found
+  local kind link
   for kind in What\ {holds,does\ not,is\ new}; do
-    found=$(xpath "//*[@class='brief']/*[local-name()='p'][starts-with(., '$kind.')]//@href")
-    for target in '#\(sec\|tbl\):' '#lst:' '#test:'; do
-      grep -q "\"$target" <<<"$found" || fail "'$kind' has no link to $target: $found"
+    for link in "starts-with(@href, '#sec:')" "starts-with(@href, '#lst:') and . = 'code'" "starts-with(@href, '#test:') and . = 'test'"; do
+      [ "$(xpath "count(//*[@class='brief']/*[starts-with(., '$kind.')]//*[local-name()='a'][$link])")" -gt 0 ] ||
+        fail "'$kind' has no link that $link"
     done
   done
 }
@@ -260,6 +260,13 @@ DrawingsHaveFourLinks() {
       grep -qF "$target" "$report" || fail "the drawing $name lacks $target"
     done
   done
+}
+
+# The outputs that are listed for a check of the computation are there.
+ListedOutputsAreThere() {
+  local file files=$(sed -n 's/^  - file: //p' codecheck.yml)
+  [[ $files == *build/report.html* ]] || fail "the report is not listed"
+  for file in $files; do [ -s "$file" ] || fail "$file is not there"; done
 }
 
 # The tests on the claims are in the page, each with its command; each name leads to its test.
