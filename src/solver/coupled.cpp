@@ -139,8 +139,18 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   return level;
 }
 
+/// A step of the border, or as much of it as leaves a hundredth of each zone.
+double within_contact(double step, const ZoneLengths& at) {
+  return std::clamp(step, -0.99 * at.stick, 0.99 * at.slip);
+}
+
 Results carried_over(const GridSolution& level, const Prescribed& given, const Results& slope) {
-  Results met = level.value + slope * residual(level, given);
+  const double left = residual(level, given), step = slope(stick_slip_border) * left;
+  Results met = level.value + slope * left;
+  if (const double inside = within_contact(step, level.at); inside != step) {
+    met(stick_slip_border) = level.at.c0() + inside;
+    met(slip_length) = level.at.slip - inside;
+  }
   met(given.quantity) = given.value;
   return met;
 }
@@ -193,7 +203,7 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
                                  const Prescribed& given, GridSolution level, Results& slope) {
   for (int k = 0; k < 5; ++k) {
     const GridSolution last = level;
-    const double step = slope(stick_slip_border) * residual(last, given);
+    const double step = within_contact(slope(stick_slip_border) * residual(last, given), last.at);
     level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
     if (level.newton_steps == 0) break;
     const double moved = level.value(given.quantity) - last.value(given.quantity);
@@ -340,7 +350,8 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Results slope;
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
-  if (level.newton_steps == 0) return solve_full_slip(scene, approach, given.value);
+  const bool nearly = level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given);
+  if (level.newton_steps == 0 || nearly) return solve_full_slip(scene, approach, given.value);
   return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
     return at_predicted_border(scene, formulation, n, given, last, slope);
   });

@@ -22,6 +22,7 @@
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/quadrature.hpp"
 #include "thermoroll/solution.hpp"
+#include "ways.hpp"
 
 using namespace thermoroll;
 using enum thermoroll::Quantity;
@@ -581,6 +582,16 @@ void Totals::add(const Totals& other) {
   failures.insert(other.failures.begin(), other.failures.end());
 }
 
+/// A fifth by C, a tenth as rows of a sweep, and one of fifty as a law.
+static void examine_other_ways(const Record& record, std::uint64_t number, const Sample& x) {
+  const GivenScene plain{
+      x.scene, signed_given(x), {x.formulation, x.tolerance, Method::coupled}, {}, {}};
+  if (number % 10 == 4) examine_in_c(record, plain);
+  if (number % 10 == 8) examine_in_c(record, in_si(x));
+  if (number % 10 == 6) examine_row(record, text(x), number, plain);
+  if (number % 50 == 18) examine_law(record, in_si(x));
+}
+
 void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals) {
   const Record record(number, x, totals);
   try {
@@ -595,6 +606,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
     if (depth >= Depth::again) {
       examine_again(record, x, found);
       if (number % 10 == 2) examine_in_si(record, x, found);
+      examine_other_ways(record, number, x);
       if (x.scene.friction * heating_of_both(x.scene) <= 50) examine_error(record, x, found);
     }
     if (depth < Depth::profiles || !is_plain(x.scene)) return;

@@ -930,6 +930,28 @@ TEST(Coupled, StickEndsWhereAllSlips) {
     }
 }
 
+// Next to full slip a coarse grid may find a border where there is none, and a correction may point
+// out of the contact: the creep is one part in a million above that of full slip, then about it.
+TEST(Coupled, BorderStaysInTheContact) {
+  const thermoroll::Scene scene{
+      0.07648946958602525, 143635.472181925, 0.1664175193514559, {1, 0.1664175193514559}};
+  for (const double part : {1e-3, 1e-5, 3e-6, 0.0, -1e-6, -1e-4}) {
+    const Prescribed given{Quantity::creep, 0.04868839113542336 * (1 - part)};
+    const auto to = [&](double tolerance) {
+      return solve_coupled(scene, {Formulation::corrected, tolerance}, given);
+    };
+    const CoupledSolution fine = to(1e-8);
+    EXPECT_EQ(fine.value(Quantity::stick_slip_border) == -1, part <= 0) << part;
+    for (const double tolerance : {6e-3, 1e-3, 1e-5}) {
+      const CoupledSolution x = to(tolerance);
+      EXPECT_GE(x.value(Quantity::stick_slip_border), -1) << part;
+      for (int i = 0; i < thermoroll::compared; ++i)
+        EXPECT_LE(std::abs(x.value[i] - fine.value[i]), x.error[i] + fine.error[i])
+            << part << ' ' << tolerance << ' ' << i;
+    }
+  }
+}
+
 // Where Newton's method finds nothing next to full slip, it is led there from the middle. The creep
 // of full slip is that of the border next to it: beyond it no border is looked for any more. There
 // the contacts go on, and the first creep has one. In so strong a heat it is lost at a larger
