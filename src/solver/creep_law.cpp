@@ -270,7 +270,7 @@ std::string go_to_full_slip(HalfCurve& curve, double tolerance, LawPoint& last) 
 std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double tolerance,
                                 LawPoint& last) {
   const double farthest = reach > x.curve.all_slips ? 2 - x.curve.all_slips / reach : 1;
-  const std::string at_farthest = farthest < 2 ? not_asked : "";
+  std::string at_farthest = farthest < 2 ? not_asked : "";
   LawPoint far = last;
   if (farthest == 1) return at_farthest;
   if (go_on(x.curve, tolerance, farthest, far, *last.grid).empty())

@@ -173,6 +173,25 @@ Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::ve
   return curve;
 }
 
+SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(std::get<Carter>(x.found));
+  const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2, share = heat_share(x.scene);
+  const Conduction conduction(x.scene, !exchanges(x.scene, {flux.slip, flux.stick}));
+  const SurfaceCurve found = surface_curve(flux, conduction, s, tolerance);
+  SurfaceCurve all{share * found.temperature, share * found.error};
+  for (const ExchangedFlux& e : coupled ? crossing_flux(*coupled) : std::vector<ExchangedFlux>{})
+    all.temperature += temperature_of(e, x.scene.peclet, s, gauss_legendre(96));
+  return all;
+}
+
+double flux_error(const Solution& x) {
+  if (!std::holds_alternative<CoupledSolution>(x.found) || x.value(slip_length) == 0) return 0;
+  const auto place = Eigen::ArrayXd::Constant(1, x.value(max_temperature_at));
+  const double top = on_surface(x, place).temperature(0);
+  return (*x.error)(max_temperature) + std::abs(top - x.value(max_temperature));
+}
+
 /// How many intervals lie between the points in each zone.
 struct Intervals {
   Eigen::Index stick, slip;
@@ -484,23 +503,16 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
   }
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const Carter* closed = std::get_if<Carter>(&x.found);
-  const double flux_error = coupled ? (*x.error)(max_temperature) : 0;
-  const double share = heat_share(x.scene);
+  const double share = heat_share(x.scene), of_flux = flux_error(x);
   Curve curve;
   if (x.value(slip_length) == 0) {
     for (const double s : at) curve.points.push_back({s, 0, 0});
   } else if (depth == 0) {
     const auto points = static_cast<Eigen::Index>(at.size());
-    const Eigen::ArrayXd s = Eigen::Map<const Eigen::ArrayXd>(at.data(), points);
-    const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
-    const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2;
-    const Conduction conduction(x.scene, !exchanges(x.scene, {flux.slip, flux.stick}));
-    const SurfaceCurve found = surface_curve(flux, conduction, s, tolerance);
-    Eigen::ArrayXd all = share * found.temperature;
-    for (const ExchangedFlux& e : coupled ? crossing_flux(*coupled) : std::vector<ExchangedFlux>{})
-      all += temperature_of(e, x.scene.peclet, s, gauss_legendre(96));
-    for (Eigen::Index i = 0; i < s.size(); ++i)
-      curve.points.push_back({s(i), all(i), share * found.error + flux_error});
+    const SurfaceCurve found = on_surface(x, Eigen::Map<const Eigen::ArrayXd>(at.data(), points));
+    for (Eigen::Index i = 0; i < points; ++i)
+      curve.points.push_back(
+          {at[static_cast<std::size_t>(i)], found.temperature(i), found.error + of_flux});
   } else {
     const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
     SmoothFlux by = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
@@ -509,7 +521,7 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const double scale = crossing.zones.empty() ? 0 : scale_in(x.scene, x.value)(max_temperature);
     for (const double s : at) {
       const Estimate own = temperature(flux, x.scene.peclet, s, depth, scale);
-      CurvePoint point{s, share * own.value, share * own.error + flux_error + crossing.error};
+      CurvePoint point{s, share * own.value, share * own.error + of_flux + crossing.error};
       for (const HeatFlux& zone : crossing.zones) {
         const Estimate more = temperature(zone, x.scene.peclet, s, depth, scale);
         point.temperature += more.value;

@@ -554,6 +554,7 @@ TEST(Exchange, ErrorsHoldBeforeLayersAreResolved) {
       {{0.57, 5260, 0.375, {4.95, 0.323, 2370}, Direction::braking},
        -0.000153,
        {Quantity::stick_slip_border, 0.593}},
+      {{0.7439, 4757.7, 0.3967, {0.6345, 0.2337, 31972}}, -0.000539, {Quantity::traction, 0.4011}},
       {{0.87, 12900, 0.00496, {0.17, 0.000924, 197000}}, -0.000105, {Quantity::traction, 0.412}}};
   for (const auto& [scene, bulk_difference, prescribed] : all) {
     Scene x = scene;
