@@ -734,6 +734,12 @@ TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
                      {stick_slip_border, 0.9999995743360588},
                      corrected,
                      1e-2},
+           SoakScene{1.1916048224824869,
+                     5865.6311317999944,
+                     0.00058692561897420237,
+                     {stick_slip_border, 0.98861346593192034},
+                     corrected,
+                     1.9644777592617966e-06},
        }) {
     const Driven scene{x.friction, x.friction / 2, x.peclet, x.heating};
     const CoupledSolution found = solve_coupled(scene, {x.formulation, x.tolerance}, x.given);
