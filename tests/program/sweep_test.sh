@@ -122,7 +122,7 @@ AnswersAsSolveDoes() {
 }
 # Of two bodies, in SI units, with a law of friction and a bulk difference, a sweep has every column that
 # solve has, with the same cell.
-HasEveryColumnOfSolve() {
+HasEveryColumnOfSolve() { # slow
   code toml B-command-line.md | grep -v traction >wheel.toml
   local base=(--config wheel.toml) options column count=0
   same_columns() { # same_columns OPTION...: of solve, and of a sweep of one row
