@@ -350,8 +350,9 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Results slope;
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
-  const bool nearly = level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given);
-  if (level.newton_steps == 0 || nearly) return solve_full_slip(scene, approach, given.value);
+  const bool all_slips = level.newton_steps == 0 ||
+                         (level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given));
+  if (all_slips) return solve_full_slip(scene, approach, given.value);
   return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
     return at_predicted_border(scene, formulation, n, given, last, slope);
   });

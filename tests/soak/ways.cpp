@@ -105,11 +105,7 @@ void examine_places(const Record& record, thermoroll_scene scene, const thermoro
   if (thermoroll_profile(&scene, &result, points, 2) != THERMOROLL_DONE)
     return record.beside("temperatures in C", "not resolved");
   const double off = points[0].temperature - told.value.max_temperature;
-  // As in examine_profile by what the border of the last grid was another, in errors, and by the
-  // curve's own.
-  record.within(
-      "the hottest point in C is the hottest", off,
-      (told.unknowns > 200 ? 20 : 50) * told.error.max_temperature + points[0].temperature_error);
+  record.within("the hottest point in C is the hottest", off, points[0].temperature_error);
   // A colder body above may leave it warmer below the surface.
   if (scene.bulk_difference != 0) return;
   record.within("below the hottest point it is no hotter",
