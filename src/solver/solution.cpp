@@ -189,7 +189,7 @@ double flux_error(const Solution& x) {
   if (!std::holds_alternative<CoupledSolution>(x.found) || x.value(slip_length) == 0) return 0;
   const auto place = Eigen::ArrayXd::Constant(1, x.value(max_temperature_at));
   const double top = on_surface(x, place).temperature(0);
-  return (*x.error)(max_temperature) + std::abs(top - x.value(max_temperature));
+  return (*x.error)(max_temperature) + 2 * std::abs(top - x.value(max_temperature));
 }
 
 /// How many intervals lie between the points in each zone.

@@ -958,6 +958,23 @@ TEST(Coupled, BorderStaysInTheContact) {
   }
 }
 
+// A millionth below full slip the first-order correction for the residual of the creep would carry
+// the border out of the contact by 4e-7 and 3e-6.
+TEST(Coupled, NoCorrectionTakesTheBorderOut) {
+  for (const thermoroll::Scene& scene : {thermoroll::Scene{0.12426472719, 4.74355973, 4.50401558},
+                                         thermoroll::Scene{0.03130794786, 673844.579, 19.8554467}}) {
+    const auto to = [&](double tolerance, const Prescribed& given) {
+      return solve_coupled(scene, {Formulation::corrected, tolerance}, given);
+    };
+    const double full = to(1e-6, {Quantity::stick_slip_border, -1 + 1e-7}).value(Quantity::creep);
+    for (const double tolerance : {9e-3, 1e-3}) {
+      const CoupledSolution x = to(tolerance, {Quantity::creep, full * (1 - 1e-6)});
+      EXPECT_GE(x.value(Quantity::stick_slip_border), -1) << scene.peclet << ' ' << tolerance;
+      EXPECT_LE(x.value(Quantity::slip_length), 2) << scene.peclet << ' ' << tolerance;
+    }
+  }
+}
+
 // Where Newton's method finds nothing next to full slip, it is led there from the middle. The creep
 // of full slip is that of the border next to it: beyond it no border is looked for any more. There
 // the contacts go on, and the first creep has one. In so strong a heat it is lost at a larger
