@@ -26,7 +26,9 @@
 --   : Caption {#tbl:x}                                below a table; {#tbl:x .cards} as below
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption;
---                                                     .cards: on a phone its rows are cards
+--                                                     .cards: on a phone its rows are cards; a cell of data
+--                                                     may lead to a chunk and to a folded test by
+--                                                     [code](<#chunk:Its title>) and [test](#test:A.B)
 --   ::: {#tbl:x .equations}                           the table of the equations that have a `paper`
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
@@ -833,6 +835,8 @@ local function table_of_equations(div)
   return framed_table(raw(equations_table), div.identifier, utils.blocks_to_inlines(div.content), "table cards")
 end
 
+local led_to_evidence -- of section 8: inlines with links to chunks and tests -> inlines
+
 local function generated_table(div)
   if div.classes:includes("equations") then return table_of_equations(div) end
   if not div.attributes.csv then return nil end
@@ -857,7 +861,7 @@ local function generated_table(div)
   local function inlines(cell)
     local text = (" " .. cell):gsub(" %-(%d)", " −%1"):sub(2) -- a minus, not a hyphen
     if not tonumber(cell) then text = text:gsub("(%de)%-(%d)", "%1−%2") end -- which could end a line
-    return { pandoc.Plain(tonumber(cell) and { pandoc.Str(text) } or inlines_of(text)) }
+    return { pandoc.Plain(tonumber(cell) and { pandoc.Str(text) } or led_to_evidence(inlines_of(text))) }
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
@@ -1191,6 +1195,31 @@ local function break_names(div)
   end })
 end
 
+local tests_led_to = {}
+
+function led_to_evidence(inlines)
+  local out = pandoc.List()
+  for _, inline in ipairs(inlines) do
+    local kind, name = "", ""
+    if inline.t == "Link" then kind, name = inline.target:match("^#?(%l*):?(.*)$") end
+    local id = "test:" .. name
+    if kind == "test" then tests_led_to[name] = true end
+    if kind == "chunk" then
+      local title = name:gsub("%%20", " ")
+      local piece = pieces:find_if(function(piece) return piece.title == title end)
+      if not piece then complain(title, "no chunk has the title %s", title) end
+      id = piece and anchor(piece) or ""
+    end
+    if kind == "chunk" or kind == "test" then
+      if #out > 0 and out[#out].t == "Space" then out:remove() end
+      local html = (#out > 0 and ", " or "") .. link(id, utils.stringify(inline))
+      inline = pandoc.RawInline("html", '<span class="sources">' .. html .. "</span>")
+    end
+    out:insert(inline)
+  end
+  return out
+end
+
 local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
     .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
@@ -1234,6 +1263,11 @@ local function fold_tests(blocks)
     end
     out:insert(block)
     out:extend(boxes)
+  end
+  for name in pairs(tests_led_to) do
+    if not in_report and not (tests and tests[name] and tests[name].told) then
+      complain(name, "the test %s is led to, but not folded into a chapter", name)
+    end
   end
   return out
 end

@@ -83,7 +83,9 @@ Claim datum(const std::string& claim, const std::string& paper, double ours, int
           fixed(ours, decimals),
           fixed(ours, decimals),
           verdict_on(paper, ours),
-          "sec:claims-data"};
+          {"sec:claims-data",
+           "The dimensionless groups from SI data",
+           {"Scene.PaperDataGiveThePapersGroups"}}};
 }
 
 Claim on_the_load() {
@@ -95,20 +97,23 @@ Claim on_the_load() {
   Verdict judged = verdict(across < radius);
   if (across > radius)
     judged.words = "does not hold: a hundredth of it gives " + fixed(10 * across, 1) + " mm";
-  return {"load of the ellipse of the same largest pressure, N",
-          "p. 2580",
-          "1.47e7",
-          "–",
-          found,
-          found,
-          judged,
-          "sec:claims-data"};
+  return {
+      "load of the ellipse of the same largest pressure, N",
+      "p. 2580",
+      "1.47e7",
+      "–",
+      found,
+      found,
+      judged,
+      {"sec:claims-data", "The claim on the wheel's load", {"Claims.LoadOfTheEllipseIsAMisprint"}}};
 }
 
 Claims on_the_data() {
   const Scene steel = scene_of(wheel_on_rail(), paper::friction);
   Claim speed = datum("Pe = 5000 is a speed of about 25 m/s", "25", speed_at(5000), 2);
   speed.source = "p. 2583";
+  speed.evidence.chunk = "The speed at a Péclet number";
+  speed.evidence.tests = {"Claims.CelsiusFollowTheSpeed"};
   return {datum("thermomechanical ratio H of the wheel on the rail", "0.02", steel.heating, 4),
           datum("Péclet number of the wheel on the rail", "4360", steel.peclet, 1), speed,
           on_the_load()};
@@ -128,12 +133,19 @@ Claim temperature_claim(const std::string& claim, const std::string& paper, doub
           fixed(printed, decimals),
           fixed(largest_rise(pe, unit, Formulation::corrected), decimals),
           verdict_on(paper, printed),
-          "sec:claims-temperature"};
+          {"sec:claims-temperature",
+           "The four temperatures",
+           {"Claims.CelsiusFollowTheSpeed", "CelsiusFigure.MiddleValueIsOffTheSquareRoot"},
+           "fig:celsius"}};
 }
 
 Claims on_the_temperature() {
   Claims table{temperature_claim("T*max at Q* = 0.5, Pe = 5000", "0.002", 5000, 1, 6)};
   table.front().source = "p. 2583, Fig. 4c";
+  table.front().evidence = {"sec:claims-temperature",
+                            "Claims on the largest temperature",
+                            {"PublishedScheme.ReproducesThePapersTemperature"},
+                            "fig:temperatures"};
   for (const auto& [pe, celsius] : {std::pair{5000, "272"}, {10000, "420"}, {15000, "490"}}) {
     const int speed = pe / 200;  // as the paper has it
     table.push_back(
@@ -155,7 +167,10 @@ Claim on_phases() {
           yes(printed < allowed),
           yes(corrected < allowed),
           verdict(printed < allowed),
-          "sec:claims-temperature"};
+          {"sec:claims-temperature",
+           "The claim on a phase transformation",
+           {"Claims.PhaseTransformationIsJudgedAtThePapersTemperature"},
+           "fig:celsius"}};
 }
 
 Claim on_variation(const std::vector<PaperScene>& scenes) {
@@ -172,7 +187,10 @@ Claim on_variation(const std::vector<PaperScene>& scenes) {
           yes(printed),
           yes(corrected),
           verdict(printed),
-          "sec:claims-temperature"};
+          {"sec:claims-temperature",
+           "The claim on the trend of the temperature",
+           {"TemperatureFigure.FallsWithThePecletNumber", "TemperatureFigure.RisesWithTheTraction"},
+           "fig:temperatures"}};
 }
 
 Claim on_sliding() {
@@ -185,18 +203,25 @@ Claim on_sliding() {
           found,
           found,
           verdict(small > large),
-          "sec:claims-temperature"};
+          {"sec:claims-temperature",
+           "The claim on pure sliding",
+           {"Claims.RollingIsHotterThanSliding"},
+           "fig:sliding"}};
 }
 
 /// One number for each chart of a figure; ours are for scheme, printed and corrected sign.
 Claim figure_claim(const std::string& claim, const std::string& source, const Numbers& axes,
-                   const std::array<Numbers, 3>& ours, int decimals) {
+                   const std::array<Numbers, 3>& ours, int decimals, const Evidence& evidence) {
   bool holds = true;
   for (std::size_t i = 0; i < axes.size(); ++i)
     holds = holds && axes[i] / 2 < ours[1][i] && ours[1][i] < axes[i];
   const auto cell = [&](std::size_t k) { return listed(ours[k], decimals); };
   return {claim,   source,  "below " + listed(axes, axes[0] < 0.1 ? 3 : 1), cell(0),
-          cell(1), cell(2), verdict(holds, "as far as its axis tells"),     "sec:claims-figures"};
+          cell(1), cell(2), verdict(holds, "as far as its axis tells"),     evidence};
+}
+
+Evidence drawn(const std::string& chunk, const std::string& figure) {
+  return {"sec:claims-figures", chunk, {"Claims.FiguresEndWithinTheirAxes"}, figure};
 }
 
 Claims on_tractions_drawn(const std::vector<PaperScene>& scenes) {
@@ -210,8 +235,10 @@ Claims on_tractions_drawn(const std::vector<PaperScene>& scenes) {
       raise(slip[static_cast<std::size_t>(k)][0], p->slip.maxCoeff());
     }
   }
-  return {figure_claim("largest traction q* drawn", "Fig. 2", {0.4}, traction, 3),
-          figure_claim("largest slip velocity v* drawn", "Fig. 3", {0.8}, slip, 3)};
+  return {figure_claim("largest traction q* drawn", "Fig. 2", {0.4}, traction, 3,
+                       drawn("Claims on the tractions drawn", "fig:traction")),
+          figure_claim("largest slip velocity v* drawn", "Fig. 3", {0.8}, slip, 3,
+                       drawn("Claims on the tractions drawn", "fig:slip"))};
 }
 
 Claims on_temperatures_drawn(const std::vector<PaperScene>& scenes) {
@@ -228,9 +255,10 @@ Claims on_temperatures_drawn(const std::vector<PaperScene>& scenes) {
     for (const double q : paper::tractions) slow[k].push_back(hottest(q, 100)[k]);
     fast[k] = {hottest(0.59, 1000)[k]};
   }
-  return {
-      figure_claim("largest T* drawn, four loads", "Fig. 4", {0.004, 0.01, 0.016, 0.025}, slow, 5),
-      figure_claim("largest T* drawn, Pe = 1000", "Fig. 5", {0.008}, fast, 5)};
+  return {figure_claim("largest T* drawn, four loads", "Fig. 4", {0.004, 0.01, 0.016, 0.025}, slow,
+                       5, drawn("Claims on the temperatures drawn", "fig:temperatures")),
+          figure_claim("largest T* drawn, Pe = 1000", "Fig. 5", {0.008}, fast, 5,
+                       drawn("Claims on the temperatures drawn", "fig:temperature-load"))};
 }
 
 bool zero_before(double c0, const ArrayXd& s, const ArrayXd& slip) {
@@ -284,7 +312,9 @@ Claims on_slip(const std::vector<PaperScene>& scenes) {
     add_to(printed, x.coupled, x.profile);
     add_to(corrected, x.corrected, x.corrected_profile);
   }
-  const auto row = [&](const std::string& claim, bool Slips::*holds, const std::string& how) {
+  const auto row = [&](const std::string& claim, bool Slips::*holds, const std::string& how,
+                       const std::string& chunk, const std::string& test,
+                       const std::string& figure) {
     return Claim{claim,
                  "p. 2583, (3), (4)",
                  "yes",
@@ -292,11 +322,16 @@ Claims on_slip(const std::vector<PaperScene>& scenes) {
                  yes(printed.*holds),
                  yes(corrected.*holds),
                  verdict(printed.*holds, how),
-                 "sec:claims-slip"};
+                 {"sec:claims-slip", chunk, {test}, figure}};
   };
-  return {row("v* is zero in the stick zone", &Slips::zero, "by construction"),
-          row("|q| < f p in the stick zone", &Slips::sticks, ""),
-          row("v* is positive in the slip zone", &Slips::slips, "")};
+  const std::string slip = "Zero up to the border, positive beyond";
+  const std::string drawn = "SlipFigure.IsZeroInTheStickZoneAndPositiveInTheSlipZone";
+  return {
+      row("v* is zero in the stick zone", &Slips::zero, "by construction", slip, drawn, "fig:slip"),
+      row("|q| < f p in the stick zone", &Slips::sticks, "",
+          "The traction below its limit in the stick zone",
+          "TractionFigure.ReachesTheFrictionLimitInTheSlipZoneOnly", "fig:traction"),
+      row("v* is positive in the slip zone", &Slips::slips, "", slip, drawn, "fig:slip")};
 }
 
 std::string gamma0_at(int nodes) {
@@ -310,13 +345,27 @@ Claims on_deformation() {
   const double seen = 1 - paper::scheme(0.5, paper::peclet).load_ratio;
   const bool vanishes = std::abs(x.value(Quantity::gamma0)) <= x.error(Quantity::gamma0);
   const std::string share = fixed(100 * seen / change, 0);
-  return {{"thermal deformation is small: 1 − κ at Pe = 4360", "p. 2582", "small", fixed(seen, 5),
-           fixed(change, 5), fixed(1 - y.value(Quantity::load_ratio), 5),
+  return {{"thermal deformation is small: 1 − κ at Pe = 4360",
+           "p. 2582",
+           "small",
+           fixed(seen, 5),
+           fixed(change, 5),
+           fixed(1 - y.value(Quantity::load_ratio), 5),
            verdict(std::abs(change) < 0.01, "though n = 200 sees " + share + " % of it"),
-           "sec:claims-deformation"},
-          {"γ0 tends to zero with n (at n = 50, 400)", "(46)", "0",
-           gamma0_at(50) + ", " + gamma0_at(400), fixed(x.value(Quantity::gamma0), 5),
-           fixed(y.value(Quantity::gamma0), 5), verdict(vanishes), "sec:eccentricity"}};
+           {"sec:claims-deformation",
+            "Claims on the load ratio and the constant",
+            {"NodesFigure.SchemeSeesASeventhOfTheThermalCorrection"},
+            "fig:nodes"}},
+          {"γ0 tends to zero with n (at n = 50, 400)",
+           "(46)",
+           "0",
+           gamma0_at(50) + ", " + gamma0_at(400),
+           fixed(x.value(Quantity::gamma0), 5),
+           fixed(y.value(Quantity::gamma0), 5),
+           verdict(vanishes),
+           {"sec:eccentricity",
+            "The scheme's constant at a number of nodes",
+            {"PublishedScheme.GammaTendsToALimit"}}}};
 }
 
 struct Changes {
@@ -351,7 +400,10 @@ Claim on_tractions(const std::vector<PaperScene>& scenes) {
           cell(printed),
           cell(corrected),
           verdict(printed.pressure < 0.01 && printed.border < 0.02, next),
-          "sec:claims-deformation"};
+          {"sec:claims-deformation",
+           "The claim on the tractions",
+           {"Claims.HeatChangesTheTractionsLittle"},
+           "fig:traction"}};
 }
 
 Claim on_the_sign() {
@@ -366,7 +418,10 @@ Claim on_the_sign() {
           printed,
           ours,
           judged,
-          "sec:derivation"};
+          {"sec:derivation",
+           "The sign of the thermal slope",
+           {"HeatedHalfSpace.FollowsTheKernels"},
+           "fig:sign"}};
 }
 
 Claim on_two_bodies() {
@@ -382,7 +437,10 @@ Claim on_two_bodies() {
           "–",
           fixed(ratio, 3),
           verdict(std::abs(2 * ratio - 1) < 0.01, "computed: half as hot"),
-          "sec:claims-future"};
+          {"sec:claims-future",
+           "Claim on two bodies that conduct",
+           {"Claims.TwoBodiesAreHalfAsHot"},
+           "fig:braking"}};
 }
 
 Claim on_hot_friction() {
@@ -395,13 +453,25 @@ Claim on_hot_friction() {
           "–",
           fixed(top.traction, 3) + " at the creep " + fixed(top.creep, 3),
           verdict(share > 0.5 && share < 0.99, "computed: " + fixed(100 * share, 0) + " % of f"),
-          "sec:claims-future"};
+          {"sec:claims-future",
+           "Claim on friction that depends on temperature",
+           {"Claims.HotFrictionHasALargestTraction"},
+           "fig:hot-friction"}};
 }
 
 Claims on_what_cannot_be_tested() {
   const auto row = [](const std::string& claim, const std::string& source, const std::string& why) {
     const Verdict judged{Judgement::untestable, "not testable: " + why};
-    return Claim{claim, source, "yes", "–", "–", "–", judged, "sec:claims-untestable"};
+    return Claim{claim,
+                 source,
+                 "yes",
+                 "–",
+                 "–",
+                 "–",
+                 judged,
+                 {"sec:claims-untestable",
+                  "Statements that cannot be tested",
+                  {"Claims.VerdictsFollowFromTheTable"}}};
   };
   return {row("the formulation is more general than those published before", "p. 2584",
               "about other work"),
@@ -433,10 +503,17 @@ Claims on_the_iteration(const std::vector<PaperScene>& scenes) {
   const bool exact = std::max(x.coarse_error, x.fine_error) <= 0.1;
   return {claim_on_steps("c0", 20, x.inner, x.converged),
           claim_on_steps("v*", 35, x.outer, x.converged),
-          {"relative accuracy 0.1 % with n = 50 … 200", "p. 2580", "0.1 %",
+          {"relative accuracy 0.1 % with n = 50 … 200",
+           "p. 2580",
+           "0.1 %",
            "T*max within " + fixed(x.coarse_error, 1) + " % … " + fixed(x.fine_error, 1) + " %",
-           "–", "–", verdict(x.converged, exact ? "" : "for the iteration, not for T*max"),
-           "sec:claims-iteration"}};
+           "–",
+           "–",
+           verdict(x.converged, exact ? "" : "for the iteration, not for T*max"),
+           {"sec:claims-iteration",
+            "All runs are recorded",
+            {"Claims.RecordIsThatOfTheRuns"},
+            "fig:nodes"}}};
 }
 
 }  // namespace
@@ -506,7 +583,9 @@ Claim claim_on_steps(const std::string& unknown, int most, int found, bool conve
           "–",
           "–",
           judged,
-          "sec:claims-iteration"};
+          {"sec:claims-iteration",
+           "A run is recorded",
+           {"Claims.RecordIsThatOfTheRuns", "Claims.StepsAreReproducedWithinAFactorOfTwo"}}};
 }
 
 std::vector<Claim> claims() {

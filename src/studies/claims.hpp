@@ -12,7 +12,15 @@ struct Verdict {
   std::string words;
 };
 
-/// A statement of the paper beside our values; all fields but the verdict are text for a table.
+/// Where this report has the evidence of a claim.
+struct Evidence {
+  std::string section;             ///< the label of the section
+  std::string chunk;               ///< the title of the chunk that computes the values
+  std::vector<std::string> tests;  ///< the names of the tests
+  std::string figure = {};         ///< the label of the figure that shows it, if there is one
+};
+
+/// A statement of the paper beside our values; the first six fields are text for a table.
 struct Claim {
   std::string claim;      ///< the statement of the paper
   std::string source;     ///< its page, figure or equation there
@@ -21,7 +29,7 @@ struct Claim {
   std::string converged;  ///< the converged value, with the sign as printed
   std::string corrected;  ///< the same with the corrected sign
   Verdict verdict;
-  std::string section;  ///< the label of the section of this report with the evidence
+  Evidence evidence;
 };
 
 /// Every claim of the paper's text that is computed; runs the published scheme some forty times.

@@ -30,13 +30,21 @@ std::string in_tex(std::string text) {
   return text;
 }
 
+std::string links_to(const Evidence& x) {
+  std::string links = '@' + x.section;
+  if (!x.figure.empty()) links += ", @" + x.figure;
+  links += " [code](<#chunk:" + x.chunk + ">)";
+  for (const std::string& test : x.tests) links += " [test](#test:" + test + ')';
+  return links;
+}
+
 void claims_table(std::ostream& out) {
   row(out, "the paper says", "where", "paper", "published scheme", "converged", "corrected sign",
       "verdict", "evidence");
   const auto cell = [](const std::string& text) { return '"' + in_tex(text) + '"'; };
   for (const Claim& c : claims())
     row(out, cell(c.claim), cell(c.source), cell(c.paper), cell(c.published), cell(c.converged),
-        cell(c.corrected), cell(c.verdict.words), '@' + c.section);
+        cell(c.corrected), cell(c.verdict.words), '"' + links_to(c.evidence) + '"');
 }
 
 const FigureData claims_data{"claims", claims_table};

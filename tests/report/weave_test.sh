@@ -576,8 +576,7 @@ END
     '<details class="expand" style="--indent:2"><summary><a href="#lst:inner">' '  <a href="#lst:part">'
 }
 
-# A chunk is folded to its title, unless it is the first behind a numbered equation of its section or
-# says that it is open.
+# In a chapter of class .tests each test stands once, folded.
 TestsAreFolded() {
   mkdir -p tests/a
   printf 'int x;\n\nTEST(A, One) {\n  EXPECT_LT(1, 2);\n}\n\nTEST(A, Two) {\n}\n' >tests/a/test_a.cpp
@@ -597,6 +596,40 @@ END
   [ "$(grep -c 'id="test:' page.html)" = 1 ] || fail "a test is folded twice, or in a chapter that has none"
 }
 
+# A cell of data leads to a part of a chunk by its title, and to a test that is folded.
+CellsLeadToChunksAndTests() {
+  mkdir -p tests/a
+  printf 'int x;\n\nTEST(Suite, Name) {\n}\n' >tests/a/test_a.cpp
+  chapter <<'END'
+# First {#sec:first .tests}
+
+::: {#tbl:t csv="t.csv"}
+Caption.
+:::
+
+``` {.cpp #parts title="The first part"}
+int a;
+```
+
+``` {.cpp #parts title="The second part"}
+int b;
+```
+
+*Checked by* `Suite.Name`.
+END
+  printf 'a,evidence\n1,[code](<#chunk:The second part>) [test](#test:Suite.Name)\n' >build/data/t.csv
+  weave page.html one.md
+  expect_html '<span class="sources"><a href="#lst:parts:2">code</a></span>' \
+    '<span class="sources">, <a href="#test:Suite.Name">test</a></span>'
+  rm page.html
+  sed -i 's/The second part/The third part/' build/data/t.csv
+  expect_error 'no chunk has the title The third part'
+  sed -i 's/The third part/The second part/; s/Suite.Name/Suite.Other/' build/data/t.csv
+  expect_error 'the test Suite.Other is led to, but not folded into a chapter'
+}
+
+# A chunk is folded to its title, unless it is the first behind a numbered equation of its section or
+# says that it is open.
 ChunksAreFolded() {
   chapter <<'END'
 # One {#sec:one}

@@ -111,6 +111,7 @@ TEST(Claims, RollingIsHotterThanSliding) {
 // The wheel on its rail at V = 2 k Pe/a: the converged maxima of Q* = 0.5 in degrees C, to the
 // digit.
 TEST(Claims, CelsiusFollowTheSpeed) {
+  EXPECT_TRUE(close(thermoroll::speed_at(5000), 1.4e-5L * 2 * 5000 / 5.5e-3L, 1e-12L));
   EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(5000) * 0.00205267, 283.7, 0.05));
   EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(10000) * 0.00145145, 401.3, 0.05));
   EXPECT_TRUE(close(thermoroll::celsius_per_unit_at(15000) * 0.00118511, 491.4, 0.05));
@@ -280,9 +281,11 @@ TEST(Claims, VerdictsFollowFromTheTable) {
   EXPECT_EQ(counted, static_cast<int>(claims().size()));
   for (const Claim& c : claims()) {
     SCOPED_TRACE(c.claim);
-    for (const std::string& cell : {c.claim, c.source, c.paper, c.published, c.converged,
-                                    c.corrected, c.verdict.words, c.section})
+    for (const std::string& cell :
+         {c.claim, c.source, c.paper, c.published, c.converged, c.corrected, c.verdict.words,
+          c.evidence.section, c.evidence.chunk})
       EXPECT_FALSE(cell.empty());
+    EXPECT_FALSE(c.evidence.tests.empty());
     const auto is_number = [](const std::string& cell) {
       return cell.find_first_not_of("0123456789.") == std::string::npos &&
              cell.find_first_of("123456789") != std::string::npos;
