@@ -267,6 +267,23 @@ TEST(Coupled, NextToFullSlip) {
   }
 }
 
+// There two borders may have tractions that differ by roundings only, from which no derivative is
+// made: it would take the border anywhere, and no grid resolves what comes of that.
+TEST(Coupled, NoDerivativeIsMadeOfRoundings) {
+  for (const thermoroll::Scene& scene :
+       {thermoroll::Scene{0.27641827892253212, 0.30997583051856886, 34.975675764042009},
+        thermoroll::Scene{1.4061062084724423, 0.6161661009383107, 6.177551538345317}}) {
+    const thermoroll::Approach approach{Formulation::corrected, 1e-6};
+    const double most = solve_coupled(scene, approach, {Quantity::stick_slip_border, -1 + 1e-7})
+                            .value(Quantity::traction);
+    for (const double left : {1e-14, 9e-16}) {
+      const CoupledSolution x =
+          solve_coupled(scene, approach, {Quantity::traction, most * (1 - left)});
+      EXPECT_LT(x.value(Quantity::stick_slip_border), -1 + 1e-6) << scene.peclet << ' ' << left;
+    }
+  }
+}
+
 // A solution that is no contact may have a negative load ratio, or no heat that is positive; its
 // errors are numbers all the same, and none is negative.
 TEST(Coupled, ErrorsOfNoContactAreNumbers) {
@@ -961,8 +978,9 @@ TEST(Coupled, BorderStaysInTheContact) {
 // A millionth below full slip the first-order correction for the residual of the creep would carry
 // the border out of the contact by 4e-7 and 3e-6.
 TEST(Coupled, NoCorrectionTakesTheBorderOut) {
-  for (const thermoroll::Scene& scene : {thermoroll::Scene{0.12426472719, 4.74355973, 4.50401558},
-                                         thermoroll::Scene{0.03130794786, 673844.579, 19.8554467}}) {
+  for (const thermoroll::Scene& scene :
+       {thermoroll::Scene{0.12426472719, 4.74355973, 4.50401558},
+        thermoroll::Scene{0.03130794786, 673844.579, 19.8554467}}) {
     const auto to = [&](double tolerance, const Prescribed& given) {
       return solve_coupled(scene, {Formulation::corrected, tolerance}, given);
     };

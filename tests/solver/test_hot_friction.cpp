@@ -487,6 +487,17 @@ TEST(HotFriction, MaximumIsTheTopOfTheCreeps) {
   }
 }
 
+// Where the series has ended, a law's change counts by the cube of the ratio of the unknowns; where
+// its end does not shrink, by a fifth, and by a twentieth on more than 200 unknowns.
+TEST(HotFriction, PartOfAChangeThatIsAnError) {
+  const auto ended = [](int n) { return Eigen::VectorXd::Unit(n, 0); };
+  const auto endless = [](int n) { return Eigen::VectorXd::Ones(n); };
+  EXPECT_DOUBLE_EQ(thermoroll::part_with_law(ended(30), ended(60)), 1.0 / 8);
+  EXPECT_DOUBLE_EQ(thermoroll::part_with_law(ended(24), ended(36)), 8.0 / 27);
+  EXPECT_DOUBLE_EQ(thermoroll::part_with_law(endless(30), endless(60)), 0.2);
+  EXPECT_DOUBLE_EQ(thermoroll::part_with_law(endless(80), endless(240)), 0.05);
+}
+
 // Results at the tolerance that is usual are no further from those at a thousandth of it than both
 // errors say, and so is the largest traction. Smooth laws, weak and strong heat, slow and fast.
 TEST(HotFriction, EstimatesHold) {

@@ -50,6 +50,20 @@ double transform(const PairTable& table, int remainder, double p, double reach) 
   return integrate([&](double z) { return table(z)(remainder) * std::exp(p * z); }, points).value;
 }
 
+// Bodies that are unlike by a part in 1e9 are as hot ahead of the heat as alike ones, where the
+// temperature has fallen by up to 26 decades: its logarithm changes by at most 2 Pe_2 times the
+// distance, 3e-8 of it, and both solutions have nine digits.
+TEST(UnlikeBodies, AlikeBodiesAreTheirLimitAheadOfTheHeat) {
+  const std::vector<double> at{-30, -8, -5, -3, -2, -1.5};
+  const auto ahead = [&](const Roller& roller) {
+    return temperature_curve(solve({0.6, 1, 0.02, roller}, {traction, 0.5}, coupled_to(1e-9)), at,
+                             0);
+  };
+  const Curve alike = ahead({1, 0.02, 1}), unlike = ahead({1, 0.02, 1 + 1e-9});
+  for (std::size_t i = 0; i < at.size(); ++i)
+    EXPECT_NEAR(unlike.points[i].temperature / alike.points[i].temperature, 1, 1e-7) << at[i];
+}
+
 // From 2^-20 / (2 Pe) of the faster body on the table is as good as its exponentials, which are
 // squared up to seven times: 2^7 epsilon each, and ten times that in their sum, are 3e-13 of the
 // largest values; ten times that is allowed.
