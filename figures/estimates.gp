@@ -17,8 +17,8 @@ set ytics ('10^{−14}' 1e-14, '10^{−10}' 1e-10, '10^{−6}' 1e-6, '10^{−2}'
 set xlabel 'tolerance' offset 0,0.9
 set label 1 'a. true error' at graph 0, graph 1.07
 set arrow from 1e-9, 1e-9 to 1e-2, 1e-2 nohead linetype 6
-set label 'all' at 7e-3, 7e-4 right
-set label '99 of 100' at 9e-3, 5e-8 right
+set label 'all' at 2e-7, 5e-5 right; eval leader(2.3e-7, 3e-5, 5.6e-6, 3.5e-6)
+set label '99 of 100' at 9e-3, 5e-8 right; eval leader(4e-5, 2e-7, 1.8e-5, 8e-7)
 set label 'median' at 9e-3, 1e-11 right
 eval 'plot '.curve('achieved', 'median', 1).', '.curve('achieved', '99 of 100', 2).', ' \
   .curve('achieved', 'all', 3)

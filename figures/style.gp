@@ -27,7 +27,7 @@ set linetype 2 linecolor rgb green     linewidth 1.25 dashtype (12,4)
 set linetype 3 linecolor rgb vermilion linewidth 1.25 dashtype (12,4,1,4)
 set linetype 4 linecolor rgb purple    linewidth 1.25 dashtype (4,3)
 set linetype 5 linecolor rgb 'black' linewidth 0.5 pointtype 6 pointsize 0.55
-set linetype 6 linecolor rgb 'grey50' linewidth 0.5 dashtype (3,3)
+set linetype 6 linecolor rgb 'grey50' linewidth 0.9 dashtype (2,4)
 
 set border 3 linecolor rgb 'black' linewidth 0.4
 set tics nomirror out scale 0.5
