@@ -203,6 +203,11 @@ bool is_too_coarse(const Trial& trial, const LawErrors& tolerance) {
   return misses.any() && (!misses || by_grid).all();
 }
 
+bool rises(const std::array<Stored, law_terms>& y) {
+  const auto falls = [](const Stored& x, const Stored& next) { return !(x.z < next.z); };
+  return std::adjacent_find(y.begin(), y.end(), falls) == y.end();
+}
+
 Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
                 GridSolution near) {
   const auto [n, finer] = grid;
@@ -212,7 +217,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     if (w > 0) {
       const GridSolution there = solution_at(x.curve, unknowns, w, last);
       if (there.newton_steps > 0) last = there;
-      solved = solved && there.newton_steps > 0;
+      solved = solved && there.newton_steps > 0 && there.value(Quantity::creep) > 0;
     }
     return stored(x, to <= 1, w, last);
   };
@@ -228,7 +233,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     trial.of_grid = trial.of_grid.max(moved);
     if (!is_too_coarse(trial, x.tolerance)) break;
   }
-  if (!solved) trial.error = trial.of_grid = LawErrors::Constant(1);
+  if (!solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
   return trial;
 }
 

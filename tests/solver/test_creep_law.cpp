@@ -217,6 +217,22 @@ TEST(CreepLaw, EndsWhereItIsNotResolved) {
   EXPECT_FALSE(evaluate(law, 0.4).has_value());
 }
 
+// With the printed sign and strong heat, creeps of the coarsest grids are negative near free
+// rolling.
+TEST(CreepLaw, IsNotMadeOfCreepsThatDoNotRise) {
+  const Scene steep{0.03987395297225504, 242744.3809210351, 168.59163692259787};
+  const CreepLaw law = creep_law(steep, Formulation::printed, 1e-3, {0, infinity});
+  for (const double creep : {1e-6, 1e-5, 1e-4, 1.0723e-3}) {
+    const std::optional<LawValue> at = evaluate(law, creep);
+    if (!at.has_value()) continue;
+    const CoupledSolution x =
+        thermoroll::solve_coupled(steep, {Formulation::printed, 1e-6}, {Quantity::creep, creep});
+    EXPECT_NEAR(at->traction, x.value(Quantity::traction), 10 * law.traction_error) << creep;
+    EXPECT_NEAR(at->temperature, x.value(Quantity::max_temperature), 10 * law.temperature_error);
+  }
+  EXPECT_GT(law.driving.last_creep, 1e-5);
+}
+
 TEST(CreepLaw, HasNoValueBeyondItsEnd) {
   const CreepLaw law = law_of(steel(), 1e-4, 2);
   EXPECT_EQ(law.driving.reason, "no more was asked for");
