@@ -400,6 +400,7 @@ void check_files(const Options& o) {
   if (!o.part.empty() && !is_file)
     throw std::invalid_argument("--part needs the table as a file: thermoroll sweep TABLE --part " +
                                 o.part);
+  if (o.resume == "-") throw std::invalid_argument("resume = - is not allowed: it must be a file");
   if (!o.resume.empty() && !o.output.empty())
     throw std::invalid_argument("--output and --resume exclude each other");
   if (!o.package.empty() && (!o.part.empty() || (o.output + o.resume).empty() || o.output == "-"))
@@ -512,7 +513,8 @@ void add_table(CLI::App& command, Options& o) {
   const auto add = [&](const char* name, std::string& value, const char* type,
                        const char* meaning) {
     CLI::Option* option = command.add_option(name, value, meaning)->type_name(type);
-    return type == std::string("FILE") ? option->check(file_name(name + 2)) : option;
+    const bool is_file = type == std::string("FILE");
+    return option->check(is_file ? file_name(name + 2) : not_empty(name + 2, type));
   };
   command.add_option("TABLE", o.table, "a file; standard input if it is - or not given")
       ->type_name("")
@@ -658,11 +660,13 @@ constexpr const char* creep_curve_examples = R"(Examples:
   thermoroll creep-curve --friction 0.6 --peclet 100 --heating 0.0175 --from -1 --to 1 --points 41 \
     --friction-law linear --friction-temperature 0.02 --output curve.csv
 
-Without --from and --to, or --from-ratio and --to-ratio, the rows reach to three times the creep at which the contact slips without
-heat, or to the end of the curve. They are dense where it bends. With data in SI units there are
-columns for the creep as a fraction of the speed, its speed, the tangential load in N/m and degree C,
-which are rises over the bulk temperature. Unless --roller says otherwise, all heat goes into one body: two steel bodies
-(--roller identical) are about half as hot.)";
+Without --from and --to, or --from-ratio and --to-ratio, the rows reach to three times the creep at
+which the contact slips without heat, or to the end of the curve. They are dense where it bends.
+With data in SI units there are columns for the creep as a fraction of the speed, its speed, the
+tangential load in N/m and the largest rise in degree C; with --bulk-temperature also the temperature
+itself. A curve is of one --half-width: that of a radius is told by solve --radius. Unless --roller
+says otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as
+hot.)";
 
 constexpr const char* law_examples = R"(Examples:
   thermoroll law --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical --output law.c
@@ -673,8 +677,9 @@ constexpr const char* law_examples = R"(Examples:
 
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
-speed, N/m and the rise in degree C. Unless --roller says otherwise, all heat goes into one body: two
-steel bodies (--roller identical) are about half as hot.)";
+speed, N/m and the rise in degree C. A law is of one --half-width: that of a radius is told by
+solve --radius. Unless --roller says otherwise, all heat goes into one body: two steel bodies
+(--roller identical) are about half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list

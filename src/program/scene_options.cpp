@@ -444,10 +444,12 @@ CLI::Validator finite_number(const std::string& name, const std::string& unit) {
   return allow(name, is_number, "a finite number" + (unit == "NUMBER" ? "" : " in " + unit));
 }
 
-CLI::Validator file_name(const std::string& name) {
+CLI::Validator not_empty(const std::string& name, const std::string& allowed) {
   return allow(
-      name, [](const std::string& text) { return !text.empty(); }, "the name of a file");
+      name, [](const std::string& text) { return !text.empty(); }, allowed);
 }
+
+CLI::Validator file_name(const std::string& name) { return not_empty(name, "the name of a file"); }
 
 CLI::Validator whole_number(const std::string& name) {
   const auto is_whole = [](const std::string& text) {

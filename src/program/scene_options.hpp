@@ -62,6 +62,7 @@ std::optional<double> to_number(const std::string& text);
 /// They throw std::invalid_argument.
 CLI::Validator finite_number(const std::string& name, const std::string& unit = "NUMBER");
 CLI::Validator whole_number(const std::string& name);
+CLI::Validator not_empty(const std::string& name, const std::string& allowed);
 CLI::Validator file_name(const std::string& name);
 CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words);
 

@@ -121,7 +121,9 @@ bool has_option(const SweepTable& t, const std::string& name) {
 void check_complete(const SweepTable& t) {
   if (!has_option(t, "friction")) throw std::invalid_argument("the header lacks friction");
   if (!any_option(t, is_given_option))
-    throw std::invalid_argument("the header lacks traction, creep or stick-slip-border");
+    throw std::invalid_argument(
+        "the header lacks traction, creep, stick-slip-border or, with data in SI units, "
+        "creep-ratio or tangential-load");
   std::string missing;
   for (const std::string& name : data_in_si_units())
     if (!has_option(t, name)) missing += ' ' + name;
@@ -228,11 +230,14 @@ std::vector<WrittenColumn> wanted_columns(const SweepTable& t) {
   names.reserve(all.size());
   for (const WrittenColumn& x : all) names.push_back(x.name);
   std::vector<WrittenColumn> wanted;
+  std::set<std::size_t> seen;
   for (const std::string& name : t.how.columns) {
     const std::optional<std::size_t> at = place(names, name);
     if (!at)
       throw std::invalid_argument("columns = " + name + " is not allowed: it must be a column" +
                                   meant(name, names));
+    if (!seen.insert(*at).second)
+      throw std::invalid_argument("columns = " + name + " is not allowed: it is named twice");
     wanted.push_back(all[*at]);
   }
   return wanted;

@@ -98,6 +98,7 @@ struct LawPoint {
 
 constexpr const char* not_resolved = "the solution is not resolved";
 constexpr const char* not_asked = "no more was asked for";
+constexpr const char* turns_back = "the creep turns back";
 
 /// Go on to w on grids up to this one. The reason why the curve does not; empty if it does.
 std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
@@ -107,7 +108,7 @@ std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
     const GridSolution y = solution_at(curve, grid->finer, w, x);
     if (!agree(x, y, leeway(grid->n, w) * tolerance)) continue;
     if (!y.violations.empty()) return "contact is lost: " + y.violations.front().what;
-    if (x.value(Quantity::creep) <= last.at.value(Quantity::creep)) return "the creep turns back";
+    if (x.value(Quantity::creep) <= last.at.value(Quantity::creep)) return turns_back;
     last = {w, x, grid};
     return "";
   }
@@ -178,11 +179,11 @@ LawErrors errors_of(const LawErrors& difference, bool sticks, const Stored& at) 
   return 3 * difference.abs() * LawErrors(sticks ? at.creep : 1, 1, at.z * at.z);
 }
 
-LawErrors missed(const LawPiece& piece, const Stored& at) {
+LawErrors missed(const LawPiece& piece, bool sticks, const Stored& at) {
   const double x = 2 * (at.z - piece.from) / (piece.to - piece.from) - 1;
   const LawErrors value(clenshaw(piece.traction, x).value, clenshaw(piece.temperature, x).value,
                         clenshaw(piece.slip_length, x).value);
-  return errors_of(value - at.value, slips_partially(piece), at);
+  return errors_of(value - at.value, sticks, at);
 }
 
 /// The node k of a piece, or a point between two nodes; the ends are met to the last bit.
@@ -203,6 +204,11 @@ bool is_too_coarse(const Trial& trial, const LawErrors& tolerance) {
   return misses.any() && (!misses || by_grid).all();
 }
 
+bool rises(const std::array<Stored, law_terms>& y) {
+  const auto falls = [](const Stored& x, const Stored& next) { return !(x.z < next.z); };
+  return std::adjacent_find(y.begin(), y.end(), falls) == y.end();
+}
+
 Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
                 GridSolution near) {
   const auto [n, finer] = grid;
@@ -212,7 +218,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     if (w > 0) {
       const GridSolution there = solution_at(x.curve, unknowns, w, last);
       if (there.newton_steps > 0) last = there;
-      solved = solved && there.newton_steps > 0;
+      solved = solved && there.newton_steps > 0 && there.value(Quantity::creep) > 0;
     }
     return stored(x, to <= 1, w, last);
   };
@@ -222,13 +228,13 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
   GridSolution near_finer = near;
   for (const double k : {9.5, 6.5, 3.5, 0.5}) {
     const Stored fine = at(finer, k, near_finer);
-    trial.error = trial.error.max(missed(trial.piece, fine));
+    trial.error = trial.error.max(missed(trial.piece, to <= 1, fine));
     if ((trial.error <= x.tolerance).all()) continue;
     const LawErrors moved = errors_of(at(n, k, near).value - fine.value, to <= 1, fine);
     trial.of_grid = trial.of_grid.max(moved);
     if (!is_too_coarse(trial, x.tolerance)) break;
   }
-  if (!solved) trial.error = trial.of_grid = LawErrors::Constant(1);
+  if (!solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
   return trial;
 }
 
@@ -312,6 +318,19 @@ double creep_of_full_slip(const Scene& scene, Formulation formulation, double to
   return last.value(Quantity::creep) + slope(Quantity::creep) * last.at.stick;
 }
 
+/// Why partial slip ends where its pieces do.
+std::string end_of_partial_slip(LawHalf& half) {
+  const double end = half.pieces.empty() ? 0 : half.pieces.back().to;
+  if (end <= 1) return not_resolved;
+  half.unit_creep *= end * end;
+  for (LawPiece& piece : half.pieces) {
+    piece.from /= end;
+    piece.to /= end;
+    for (double& term : piece.slip_length) term *= end * end;
+  }
+  return turns_back;
+}
+
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
                          double reach) {
   HalfInTheMaking x{{scene, formulation, creep_of_full_slip(scene, formulation, tolerance)},
@@ -321,7 +340,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   x.half.unit_creep = last.at.value(Quantity::creep);
   x.tolerance(1) *= last.at.value(Quantity::max_temperature);
   if (last.w > 0 && !add_pieces(x, last.grid, 0, last.w, {}))
-    x.half.reason = not_resolved;
+    x.half.reason = end_of_partial_slip(x.half);
   else if (last.w == 1)
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
   end_after_pieces(x.half, tolerance, reach);

@@ -226,7 +226,7 @@ BadHeaders() {
   bad "(are its fields separated by a tab? only commas separate them)" 'friction\ttraction\tpeclet'
   bad "a quote is not closed on its line" '"friction,traction,peclet'
   bad "the header names stick_slip_border twice" 'friction,peclet,stick-slip-border,stick_slip_border'
-  bad "the header lacks traction, creep or stick-slip-border" 'friction,peclet'
+  bad "the header lacks traction, creep, stick-slip-border or, with data in SI units, creep-ratio or tangential-load" 'friction,peclet'
   bad "the header lacks peclet (or data in SI units)" 'friction,traction'
   bad "the header lacks, of data in SI units: load shear-modulus poisson" 'friction,traction,speed'
   bad "the lines end in carriage returns alone" 'friction,traction,peclet\r0.6,0.5,100\r'
@@ -349,6 +349,7 @@ ChosenColumns() {
   refuses 2 "columns = crep is not allowed: it must be a column (did you mean creep?)" sweep scenes.csv --columns crep
   refuses 2 "columns = half_width is not allowed: it must be a column" sweep scenes.csv --columns half_width
   refuses 2 "columns =  is not allowed" sweep scenes.csv --columns traction,
+  refuses 2 "columns = stick_slip_border is not allowed: it is named twice" sweep scenes.csv --columns stick-slip-border,status,stick_slip_border
 }
 
 # An object a line, with numbers, truth values, nulls and texts, which say what the cells say.
@@ -494,6 +495,10 @@ ResumesNothingElse() {
   refuses 2 "it has more rows than the table" sweep few.csv --resume some.csv
   cmp some.csv kept || fail "the file was changed"
   refuses 2 "resume = . is not allowed: it must be a file" sweep scenes.csv --resume .
+  echo before >before
+  "$program" sweep scenes.csv --resume - >>before 2>err && fail "- is no file that ends"
+  one_line "resume = - is not allowed: it must be a file"
+  [ "$(cat before)" = before ] || fail "standard output was cut: $(head -2 before)"
   refuses 2 "resume = /dev/full is not allowed: it must be a file" sweep scenes.csv --resume /dev/full
   refuses 2 "--output and --resume exclude each other" sweep scenes.csv --resume some.csv --output other.csv
   refuses 2 "--resume and the table are the same file" sweep scenes.csv --resume scenes.csv
@@ -545,6 +550,10 @@ BadOptions() {
   refuses 2 "output = " sweep scenes.csv --output ""
   refuses 2 "TABLE = " sweep ""
   refuses 2 "resume = " sweep scenes.csv --resume ""
+  refuses 2 "columns =  is not allowed: it must be A,B,..." sweep scenes.csv --columns ""
+  refuses 2 "keep =  is not allowed" sweep scenes.csv --keep ""
+  refuses 2 "given =  is not allowed" sweep scenes.csv --given ""
+  refuses 2 "part =  is not allowed: it must be I/N" sweep scenes.csv --part ""
   refuses 2 "format = text is not allowed: it must be csv or jsonl" sweep scenes.csv --format text
   refuses 2 "a quote is not closed" sweep scenes.csv --columns '"a'
   refuses 2 "unexpected more.csv" sweep scenes.csv more.csv

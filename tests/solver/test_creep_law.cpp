@@ -217,6 +217,41 @@ TEST(CreepLaw, EndsWhereItIsNotResolved) {
   EXPECT_FALSE(evaluate(law, 0.4).has_value());
 }
 
+// With the printed sign and strong heat, creeps of the coarsest grids are negative near free
+// rolling.
+TEST(CreepLaw, IsNotMadeOfCreepsThatDoNotRise) {
+  const Scene steep{0.03987395297225504, 242744.3809210351, 168.59163692259787};
+  const CreepLaw law = creep_law(steep, Formulation::printed, 1e-3, {0, infinity});
+  for (const double creep : {1e-6, 1e-5, 1e-4, 1.0723e-3}) {
+    const std::optional<LawValue> at = evaluate(law, creep);
+    if (!at.has_value()) continue;
+    const CoupledSolution x =
+        thermoroll::solve_coupled(steep, {Formulation::printed, 1e-6}, {Quantity::creep, creep});
+    EXPECT_NEAR(at->traction, x.value(Quantity::traction), 10 * law.traction_error) << creep;
+    EXPECT_NEAR(at->temperature, x.value(Quantity::max_temperature), 10 * law.temperature_error);
+  }
+  EXPECT_GT(law.driving.last_creep, 1e-5);
+}
+
+// The creep is largest at c0 = 0.2, 0.0095, and at c0 = -1 only 0.0012.
+TEST(CreepLaw, EndsWhereTheCreepTurnsBack) {
+  const Scene strong{0.08, 0.04, 300};
+  const CreepLaw law = creep_law(strong, Formulation::printed, 1e-3, {-1, 0});
+  EXPECT_EQ(law.braking.reason, "the creep turns back");
+  EXPECT_GT(law.braking.last_creep, 0.009);
+  EXPECT_LT(law.braking.last_creep, 0.01);
+  Scene braking = strong;
+  braking.direction = Direction::braking;
+  for (const double creep : {0.001, 0.004, 0.007, 0.009}) {
+    const CoupledSolution x =
+        thermoroll::solve_coupled(braking, {Formulation::printed, 1e-6}, {Quantity::creep, creep});
+    const LawValue at = evaluate(law, -creep).value();
+    EXPECT_NEAR(-at.traction, x.value(Quantity::traction), 2 * law.traction_error) << creep;
+    EXPECT_NEAR(at.border, x.value(Quantity::stick_slip_border), 2 * law.border_error) << creep;
+    EXPECT_NEAR(at.temperature, x.value(Quantity::max_temperature), 2 * law.temperature_error);
+  }
+}
+
 TEST(CreepLaw, HasNoValueBeyondItsEnd) {
   const CreepLaw law = law_of(steel(), 1e-4, 2);
   EXPECT_EQ(law.driving.reason, "no more was asked for");
