@@ -155,7 +155,7 @@ tables := claims resolution coincident bands iteration-steps random-scenes state
 # Those that take longest come first, lest one is alone at the end.
 data_files := build/data/survival.csv build/data/values.json \
   $(patsubst %,build/data/%.csv,$(filter-out estimates sign evaluations recipe-%,$(figures)) $(filter-out survival,$(tables)))
-study_files := build/data/estimates.csv build/data/study.csv build/data/study-values.json
+study_files := build/data/estimates.csv build/data/study.csv build/data/study-kinds.csv build/data/study-values.json
 kept_files := $(study_files) build/data/sign.csv
 counted_files := build/data/evaluations.csv build/data/evaluations.json
 recipe_files := $(patsubst %,build/data/%.csv,$(filter recipe-%,$(figures)))

@@ -10,11 +10,14 @@
 
 namespace thermoroll {
 
+enum class StudyKind { one_body, alike, unlike, bulk_difference, law };
+
 /// A scene with what is given and the tolerance asked for.
 struct StudyScene {
   Scene scene;
   Prescribed given;
   double tolerance;
+  StudyKind kind;
 };
 
 /// The scene of that number.
@@ -23,11 +26,13 @@ StudyScene study_scene(int number);
 /// What a scene has shown; a ratio is NaN where it is left out.
 struct StudyRow {
   int number;
+  StudyKind kind;
   double tolerance, error;
   std::array<double, compared> ratio;  // by Quantity
 };
 
-/// Solve the scene of that number, and once more to 1e-10; nothing where either is refused.
+/// Solve the scene of that number, and once more to 1e-10, or else to 1e-8; nothing where either
+/// is refused.
 std::optional<StudyRow> study_row(int number);
 
 /// The rows of the scenes below a number, in their order, computed on all processors.
@@ -35,6 +40,9 @@ std::vector<StudyRow> study_rows(int count);
 
 /// The figure's data: largest errors by tolerance, and shares of the ratios. CSV.
 void write_study_figure(std::ostream& out, const std::vector<StudyRow>& rows);
+
+/// A row for each kind of scene. CSV.
+void write_study_kinds(std::ostream& out, const std::vector<StudyRow>& rows);
 
 /// A row for each quantity. CSV.
 void write_study_table(std::ostream& out, const std::vector<StudyRow>& rows);

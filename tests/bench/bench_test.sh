@@ -30,7 +30,7 @@ StudyIsWritten() {
   done
   [ "$(cut -d, -f1,2 "$work/study/sample.csv")" = "$(head -2 "$measured/sample.csv" | cut -d, -f1,2)" ] ||
     fail "other scenes: $(cat "$work/study/sample.csv")"
-  for file in estimates study; do
+  for file in estimates study study-kinds; do
     cmp <(wc -l <"$work/study/$file.csv") <(wc -l <"$measured/$file.csv") || fail "$file.csv is not as long"
   done
   for wrong in "" 0 x "-1" "5 $work/study"; do

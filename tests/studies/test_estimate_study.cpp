@@ -13,6 +13,7 @@
 
 namespace {
 
+using thermoroll::StudyKind;
 using thermoroll::StudyRow;
 
 /// The lines of a file of the committed study, without its header.
@@ -110,14 +111,30 @@ TEST(Study, EstimatesAreHonest) {
   EXPECT_EQ(std::stol(values.at("study_beyond").get<std::string>()), beyond);
 }
 
+// Every kind of scene is in it, no tolerance of any is missed, and at most one stated error of a
+// thousand is too small in any.
+TEST(Study, EveryKindIsInIt) {
+  const auto kinds = lines_of("study-kinds.csv");
+  ASSERT_EQ(kinds.size(), 5u);
+  double scenes = 0;
+  for (const std::string& line : kinds) scenes += std::stod(cells(line)[1]);
+  for (const std::string& line : kinds) {
+    EXPECT_GE(std::stod(cells(line)[1]), 0.02 * scenes) << line;
+    EXPECT_LE(std::stod(cells(line)[6]), 1) << line;
+    EXPECT_LE(std::stod(cells(line)[4]), std::stod(cells(line)[2]) / 1000) << line;
+  }
+}
+
 // Three rows by hand: ratios 2, 4 and none of the traction; 0.5, 10 and 20 of the border.
 TEST(Study, IsSummedUp) {
   const double none = std::nan("");
-  const std::vector<StudyRow> rows = {{1, 2e-5, 1e-7, {0.5, 1, 2, 1, 1, 1, 1, 1, 1}},
-                                      {150, 2e-5, 6e-7, {10, 1, 4, 1, 1, 1, 1, 1, 1}},
-                                      {250, 2e-5, 2e-7, {20, 1, none, 1, 1, 1, 1, 1, 1}}};
+  const std::vector<StudyRow> rows = {
+      {1, StudyKind::law, 2e-5, 1e-7, {0.5, 1, 2, 1, 1, 1, 1, 1, 1}},
+      {150, StudyKind::one_body, 2e-5, 6e-7, {10, 1, 4, 1, 1, 1, 1, 1, 1}},
+      {250, StudyKind::law, 2e-5, 2e-7, {20, 1, none, 1, 1, 1, 1, 1, 1}}};
   const std::string table = written(thermoroll::write_study_table, rows),
                     data = written(thermoroll::write_study_figure, rows),
+                    kinds = written(thermoroll::write_study_kinds, rows),
                     values = written(thermoroll::write_study_values, rows),
                     sample = written(thermoroll::write_study_sample, rows);
   EXPECT_NE(table.find("\ntraction,2,2.0,2,2,0\n"), std::string::npos) << table;
@@ -125,6 +142,8 @@ TEST(Study, IsSummedUp) {
   EXPECT_NE(data.find("\nachieved,median,1.77828e-05,2e-07\n"), std::string::npos) << data;
   EXPECT_NE(data.find("\nachieved,all,1.77828e-05,6e-07\n"), std::string::npos) << data;
   EXPECT_NE(data.find("\nratio,traction,2.37137,50\n"), std::string::npos) << data;
+  EXPECT_NE(kinds.find("\na law of friction,2,15,1,1,2.00,0.01\n"), std::string::npos) << kinds;
+  EXPECT_NE(kinds.find("\none conducting body,1,8,1,0,1.00,0.03\n"), std::string::npos) << kinds;
   for (const char* value :
        {R"("study_scenes": "3")", R"("study_compared": "23")", R"("study_beyond": "1")",
         R"("study_worst": "2.0")", R"("study_used": "3")"})
