@@ -146,9 +146,9 @@ else
 # --- What there is to make ------------------------------------------------------------------------
 
 chapters := $(wildcard paper/*.md)
-sources := $(wildcard src/*/*.?pp src/include/*.h src/include/thermoroll/*.hpp)
-live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/certify/% src/c/% %.h,$(sources))
-live_scripts := src/live/engine.js src/live/page.js
+sources := $(wildcard src/*/*.?pp src/*/*/*.?pp src/include/*.h)
+live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/c/% %.h,$(sources)) $(wildcard src/program/live/*.?pp)
+live_scripts := src/program/live/engine.js src/program/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
 tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
 
@@ -257,10 +257,10 @@ $(data_files): build/thermoroll | build/data
 	@build/thermoroll figure-data $(basename $(@F)) --output $@
 
 # The recipes of appendix L, as a reader would run them.
-$(recipe_files): build/data/recipe-%.csv: src/recipes/%.sh src/recipes/locomotive.toml build/thermoroll | build/data
+$(recipe_files): build/data/recipe-%.csv: src/program/recipes/%.sh src/program/recipes/locomotive.toml build/thermoroll | build/data
 	$(call step,computing $@)
-	@rm -rf build/recipes/$* && mkdir -p build/recipes/$* && cp src/recipes/locomotive.toml build/recipes/$*
-	@cd build/recipes/$* && PATH="$(CURDIR)/build:$$PATH" ROWS=400 sh ../../../src/recipes/$*.sh
+	@rm -rf build/recipes/$* && mkdir -p build/recipes/$* && cp src/program/recipes/locomotive.toml build/recipes/$*
+	@cd build/recipes/$* && PATH="$(CURDIR)/build:$$PATH" ROWS=400 sh ../../../src/program/recipes/$*.sh
 	@mv build/recipes/$*/$*.csv $@
 
 $(study_files): build/data/%: figures/measured/study/% | build/data

@@ -157,6 +157,7 @@ CoupledSolution study_solution(const StudyScene& x, double tolerance) {
 CoupledSolution better_solution(const StudyScene& x) try {
   return study_solution(x, 1e-10);
 } catch (const std::runtime_error&) {  // not resolved to so much
+  if (x.tolerance < 1e-7) throw;
   return study_solution(x, 1e-8);
 }
 

@@ -5,7 +5,7 @@
 #include <gsl/gsl_sf_bessel.h>
 #include <gtest/gtest.h>
 
-#include "live/special_functions.hpp"
+#include "program/live/special_functions.hpp"
 
 namespace {
 

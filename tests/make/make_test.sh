@@ -111,7 +111,7 @@ EquationEditChangesItsFigure() { # in the copy
   cp -a paper/05-closed-form.md src/model/carter.cpp "$work"
   local before
   before=$(cksum <build/figures/slip.svg)
-  sh src/recipes/equation.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+  sh src/program/recipes/equation.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'computing build/data/slip.csv' \
     'drawing build/figures/slip.svg'
   [ "$(cksum <build/figures/slip.svg)" != "$before" ] || fail "the figure is the same"

@@ -5,7 +5,7 @@ source tests/program/program.sh
 mkdir "$scratch/bin"
 ln -s "$program" "$scratch/bin/thermoroll"
 export PATH="$scratch/bin:$PATH"
-recipes="$project/src/recipes"
+recipes="$project/src/program/recipes"
 cp "$recipes/locomotive.toml" .
 
 # cook RECIPE [COMMAND]: it answers and says nothing.

@@ -4,7 +4,7 @@ source tests/common.sh
 
 joined() { perl tests/style/commas.pl "$@"; }
 
-found=$(joined src/*/*.?pp src/include/thermoroll/*.hpp tests/*.?pp tests/*/*.?pp)
+found=$(joined src/*/*.?pp src/*/*/*.?pp tests/*.?pp tests/*/*.?pp)
 [ -z "$found" ] || fail "$found"
 
 # Each line that is marked is found, and no other.

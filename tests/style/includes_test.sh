@@ -1,18 +1,25 @@
 #!/usr/bin/env bash
 # Files include what stands beside or below them: the public headers, support, model, solver, studies,
-# and at the top the program, the benchmarks and the certificates. The headers that are installed include each other only.
+# and at the top the program, the benchmarks and the certificates. The page's solver needs no study.
+# The headers that are installed include each other only.
 source tests/common.sh
 
 # upward FOLDER...: the includes in these folders that point up, by the list of floors from the lowest.
 upward() {
   grep -rnE '^#include "' "$@" | awk -F'[:"]' '
+    function room(path) {
+      if (match(path, /(live|certify)\/[^\/]*$/)) return path ~ /live/ ? "live" : "certify"
+      return substr(path, 1, index(path, "/") - 1)
+    }
     BEGIN { split("thermoroll support model solver studies program bench", names, " "); for (k in names) floor[names[k]] = k + 0
-            floor["certify"] = floor["bench"]; floor["live"] = floor["c"] = floor["studies"] }
+            floor["certify"] = floor["program"] = floor["bench"]; floor["live"] = floor["c"] = floor["studies"] }
     {
-      split($1, from, "/")
-      own = from[2] == "include" ? "thermoroll" : from[2]
-      to = substr($4, 1, index($4, "/") - 1)
-      if (!(own in floor) || !(to in floor) || floor[to] > floor[own] || (own == "bench" || own == "certify") && to == "program" || own == "bench" && to == "certify" || own == "certify" && to == "bench" || own != to && ((own == "live" || own == "c") && to == "studies" || to == "live" || to == "c")) print $1 ": " $4
+      from = $1
+      sub(/^src\/(include\/)?/, "", from)
+      own = room(from)
+      to = room($4)
+      known = own in floor && to in floor
+      if (!known || floor[to] > floor[own] || own != to && floor[to] == floor[own]) print $1 ": " $4
     }'
 }
 

@@ -13,7 +13,7 @@ wrong() {
   done
 }
 
-found=$(wrong src/*/*.?pp src/include/thermoroll/*.hpp)
+found=$(wrong src/*/*.?pp src/*/*/*.?pp)
 [ -z "$found" ] || fail "$found"
 
 printf '%s\n' 'typedef int Count;' 'int _count;' 'int a__b;' 'int __a;' 'int a_;' 'int b;  // typedef' >"$work/mistaken.cpp"

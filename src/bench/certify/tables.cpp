@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/certify.hpp"
+#include "bench/certify/certify.hpp"
 #include "model/kernel_table.hpp"
 
 namespace thermoroll::certify {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "certify/certify.hpp"
+#include "bench/certify/certify.hpp"
 #include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "live/special_functions.hpp"
+#include "program/live/special_functions.hpp"
 
 inline double gsl_sf_bessel_K0_scaled(double x) { return thermoroll::bessel_k_scaled(0, x); }
 inline double gsl_sf_bessel_K1_scaled(double x) { return thermoroll::bessel_k_scaled(1, x); }

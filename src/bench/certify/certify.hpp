@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "certify/ball.hpp"
+#include "bench/certify/ball.hpp"
 
 namespace thermoroll::certify {
 

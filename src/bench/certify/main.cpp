@@ -4,7 +4,7 @@
 
 #include <acb.h>
 
-#include "certify/certify.hpp"
+#include "bench/certify/certify.hpp"
 
 namespace thermoroll::certify {
 namespace {

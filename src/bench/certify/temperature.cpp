@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/certify.hpp"
+#include "bench/certify/certify.hpp"
 #include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/carter.hpp"

@@ -1,5 +1,5 @@
 // Tangled from paper/M-certified.md; edit there.
-#include "certify/certify.hpp"
+#include "bench/certify/certify.hpp"
 
 namespace thermoroll::certify {
 

@@ -1,5 +1,5 @@
 // Tangled from paper/M-certified.md; edit there.
-#include "certify/ball.hpp"
+#include "bench/certify/ball.hpp"
 
 #include <cmath>
 #include <utility>
