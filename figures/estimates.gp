@@ -7,8 +7,9 @@ set tmargin at screen 0.85
 set bmargin at screen 0.18
 set logscale xy
 of(word, part) = strcol('part') eq part && strcol('curve') eq word ? column('y') : NaN
+spoken(key) = key eq 'max_temperature' ? 'temperature' : key eq 'load_ratio' ? 'load ratio' : key
 curve(part, word, i) = sprintf("data using 'x':(of('%s', '%s')) with lines linetype %d " \
-  ."title '%s' noenhanced", word, part, i, word)
+  ."title '%s' noenhanced", word, part, i, spoken(word))
 set multiplot
 set lmargin at screen 0.115; set rmargin at screen 0.475
 set xrange [1e-9:1e-2]; set yrange [1e-15:1e-2]

@@ -18,8 +18,9 @@ inline double sum_of(const Pack4& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 }  // namespace thermoroll
 
 /// A function compiled twice, with and without AVX2 (or once, without, on request); which is called
-/// is found when the program is loaded.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(THERMOROLL_ONCE)
+/// is found when the program is loaded. That is too early for GCC's thread sanitizer.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(THERMOROLL_ONCE) && \
+    !defined(__SANITIZE_THREAD__)
 #define THERMOROLL_CLONES [[gnu::target_clones("avx2", "default")]]
 #else
 #define THERMOROLL_CLONES

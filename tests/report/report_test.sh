@@ -69,6 +69,13 @@ DrawingsAreDescribed() {
   done
 }
 
+# A mouse over a curve shows its name, in words and not as a key of the data.
+CurvesAreNamedInWords() {
+  xpath "//*[local-name()='svg']//*[local-name()='title']/text()" >"$work/names"
+  [ -s "$work/names" ] || fail "no names found"
+  expect_none "$(grep _ "$work/names")" "names that are no words"
+}
+
 # The numbers that installed headers print are those of the report, for all equations, tables and sections.
 NumbersOfInstalledHeaders() {
   perl -0777 -ne '
