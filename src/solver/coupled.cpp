@@ -24,15 +24,6 @@ using enum Quantity;
 
 namespace {
 
-/// The error estimated from the tail of h on a grid of n unknowns; in a layer at most so many times
-/// its square. Slow if convergence is slow.
-double unresolved(double tail, int n, bool slow, double in_layer) {
-  const bool early = n <= 100 && (slow || n >= 30);
-  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
-  const double layer = tail > large ? std::min(in_layer * tail, 1.0) : 0;
-  return tail * std::max((n < 30 ? 20.0 : 10.0) / n / n, layer);
-}
-
 /// Large f H, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
   const bool short_zone = at.stick > 0 && std::min(at.slip, at.stick) < 0.1;

@@ -176,6 +176,13 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
   return level;
 }
 
+double unresolved(double tail, int n, bool slow, double in_layer) {
+  const bool early = n <= 100 && (slow || n >= 30);
+  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
+  const double layer = tail > large ? std::min(in_layer * tail, 1.0) : 0;
+  return tail * std::max((n < 30 ? 20.0 : 10.0) / n / n, layer);
+}
+
 double tail(const VectorXd& h) {
   return h.tail(h.size() / 4).lpNorm<Eigen::Infinity>() / h.lpNorm<Eigen::Infinity>();
 }
