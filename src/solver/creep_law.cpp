@@ -48,8 +48,7 @@ struct HalfCurve {
   SlippingGrids slipping{scene, formulation};
 };
 
-/// The solution's largest T*. With strong heat there may be two maxima, the hotter one at the
-/// trailing edge.
+/// The solution's largest T*.
 double hottest(const HalfCurve& curve, const GridSolution& x) {
   if (x.crossing) return x.value(Quantity::max_temperature);  // which has searched there too
   const auto n = static_cast<int>(x.h.size());

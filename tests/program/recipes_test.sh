@@ -23,8 +23,8 @@ column() {
 ReadmeCommands() {
   sed -n '/^    mkdir -p build\/try/,/gnuplot/p' "$project/README.md" >commands
   [ "$(wc -l <commands)" -eq 3 ] || fail "the README has other commands"
-  mkdir -p copy/src copy/build
-  cp -r "$recipes" copy/src/
+  mkdir -p copy/src/program copy/build
+  cp -r "$recipes" copy/src/program/
   cp -r "$project/figures" copy/
   ln -s "$program" copy/build/thermoroll
   (cd copy && bash ../commands >../out 2>../err) || fail "$(cat err)"

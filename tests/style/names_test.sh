@@ -8,7 +8,7 @@ source tests/common.sh
 wrong() {
   local file
   for file; do
-    sed 's|//.*||; s/defined([a-z0-9_]*)//g; s/__cxa_[a-z_]*(//g; s/"\([^"\\]\|\\.\)*"//g' "$file" |
+    sed 's|//.*||; s/defined([A-Za-z0-9_]*)//g; s/__cxa_[a-z_]*(//g; s/"\([^"\\]\|\\.\)*"//g' "$file" |
       grep -nE '\<typedef\>|\<_[A-Za-z0-9]|__' | sed "s|^|$file:|" || true
   done
 }
