@@ -21,7 +21,7 @@ NamesAreThoseOfTheReport() {
 }
 
 # The study's program writes files like the committed ones, and of the same scenes.
-StudyIsWritten() {
+StudyIsWritten() { # slow
   local file wrong measured=figures/measured/study
   mkdir "$work/study"
   "$study" 52 "$work/study" # of which number 50 is in the sample
