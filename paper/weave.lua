@@ -8,7 +8,8 @@
 -- chapter only, numbered as in the report, and links into the others lead nowhere. It reads, besides
 -- the chapters, build/data/*.csv, build/data/values.json, build/figures/*.svg, figures/*.gp,
 -- figures/measured/*.csv, paper/style.css and build/math.woff2, the font of the formulas, and puts all
--- of it into the page, which then needs no other file. It keeps the colours of the code in build/colours-*. What the chapters may write:
+-- of it into the page, which then needs no other file. It keeps the colours of the code in build/colours-* and
+-- the figures as they stand in the page in build/drawing-*. What the chapters may write:
 --
 --   # Title {#sec:x}, # Title {#sec:x .appendix}      numbered sections, lettered appendices
 --   # Title {#sec:x part="Part I. Name"}              the chapter begins the part of that name
@@ -52,6 +53,7 @@ local read = tangle.read
 
 local chapters = {} -- { name, text }, in order
 local draft -- the name of the only chapter that is woven, or nil
+local only_numbered = false -- whether what is walked now is numbered, but not in the page: figures are not drawn
 local mistakes = pandoc.List()
 
 --- "chapter:line: " of the first place where `culprit` is written out, or "".
@@ -103,6 +105,21 @@ end
 
 --- A test's name, which a phone may break before a capital.
 local function breakable(name) return (escape(name):gsub("([%l.])(%u)", "%1<wbr />%2")) end
+
+--- The HTML that `make` gives for this source; from build/ where that has it, as an edit of the prose
+--- changes no colour and no drawing.
+local function once(name, source, make)
+  local file, key = "build/" .. name, utils.sha1(tostring(PANDOC_VERSION) .. source)
+  local kept = read(file)
+  if kept and kept:sub(1, #key) == key then return kept:sub(#key + 1) end
+  local html = make()
+  local out = io.open(file .. ".tmp", "wb")
+  if out then
+    out:write(key, html)
+    if out:close() then os.rename(file .. ".tmp", file) end
+  end
+  return html
+end
 
 --- Bytes as base64, by which a data: URI takes least room.
 local function base64(bytes) return pandoc.pipe("base64", { "-w0" }, bytes) end
@@ -385,9 +402,14 @@ end
 
 local section = { 0, 0, 0 }
 local appendices = false
+local chapter = 0 -- the one whose heading was numbered last
 
 local function number_heading(heading)
   local level = heading.level
+  if draft and level == 1 then
+    chapter = chapter + 1
+    only_numbered = chapters[chapter].name ~= draft
+  end
   heading.level = level + 1 -- the page's title has the first level
   if heading.classes:includes("unnumbered") or level > #section then return heading end
   section[level] = section[level] + 1
@@ -695,6 +717,9 @@ local function without_the_common(svg)
     :gsub('<g transform="([^"]*)" stroke="none" fill="currentColor"([^>]-)%s*text%-anchor="(%a+)"><text>(.-)</text></g>', short_label))
 end
 
+--- All that a drawing in the page depends on, besides its own file and its text.
+local drawing_rules = style .. (read(PANDOC_SCRIPT_FILE) or "")
+
 --- A figure's SVG as part of the page: ids of its own, the page's colours, a text for those who do
 --- not see it. A colour #rrggbb becomes the variable --ink-rrggbb where the style sheet has one.
 local function inline_svg(svg, name, alternative)
@@ -722,6 +747,13 @@ local function inline_svg(svg, name, alternative)
   end))
 end
 
+--- The same, kept; not by the short version, which may be woven at the same time.
+local function drawing(svg, name, alternative)
+  local function make() return inline_svg(svg, name, alternative) end
+  if in_report then return make() end
+  return once("drawing-" .. name, drawing_rules .. svg .. alternative, make)
+end
+
 local function figure(image)
   local id, name = image.identifier, image.src:match("^figures/([%w_-]+)%.svg$")
   local alternative = image.attributes["fig-alt"] or ""
@@ -731,6 +763,7 @@ local function figure(image)
   end
   local number = define(id, "fig")
   if alternative == "" then complain("#" .. id, "figure %s has no fig-alt text", id) end
+  if only_numbered then return {} end
   local function part(path)
     local text = read(path)
     if not text then complain("#" .. id, "figure %s needs %s, which is missing", id, path) end
@@ -745,7 +778,7 @@ local function figure(image)
   local text = caption("Figure", number, image.caption)
   text:insert(pandoc.RawInline("html", sources))
   return { raw('<figure id="' .. escape(id) .. '">\n<div class="drawing">'),
-           raw(inline_svg(svg, name, alternative)), raw("</div>\n<figcaption>"),
+           raw(drawing(svg, name, alternative)), raw("</div>\n<figcaption>"),
            pandoc.Plain(text), raw("</figcaption>\n</figure>") }
 end
 
@@ -841,6 +874,10 @@ local function generated_table(div)
   if div.classes:includes("equations") then return table_of_equations(div) end
   if not div.attributes.csv then return nil end
   local id, path = div.identifier, div.attributes.csv
+  if only_numbered then
+    define(id, "tbl")
+    return {}
+  end
   if not path:find("/", 1, true) then path = "build/data/" .. path end
   local text = read(path)
   if not text then
@@ -962,19 +999,9 @@ local function coloured(text, language)
   return pandoc.write(pandoc.Pandoc({ block }), "html5"):match("<code[^>]*>(.*)</code>")
 end
 
---- The same, from build/ where that has it of this very code: to colour takes longer than all the rest,
---- and an edit of the prose changes no colour.
+--- The same, kept: to colour takes longer than all the rest.
 local function coloured_once(text, language)
-  local file, key = "build/colours-" .. language, utils.sha1(tostring(PANDOC_VERSION) .. text)
-  local kept = read(file)
-  if kept and kept:sub(1, #key) == key then return kept:sub(#key + 1) end
-  local html = coloured(text, language)
-  local out = io.open(file .. ".tmp", "wb")
-  if out then
-    out:write(key, html)
-    if out:close() then os.rename(file .. ".tmp", file) end
-  end
-  return html
+  return once("colours-" .. language, text, function() return coloured(text, language) end)
 end
 
 -- The tags of what has a colour: keywords <b>, types <u>, comments <i>. Operators, functions, attributes,
@@ -1484,10 +1511,12 @@ function Pandoc(document)
   draft = document.meta.draft and utils.stringify(document.meta.draft)
   collect_chunks()
   -- First all that has a number, then all that refers to one.
+  only_numbered = document.meta.paper ~= nil
   if not document.meta.live then document.blocks = document.blocks:walk({ Div = without_solver }) end
   local numbering = { Header = number_heading, Para = paragraph, Table = written_table, Div = generated_table }
   local numbered = pandoc.Pandoc(whole(document.blocks)):walk(numbering).blocks
   if document.meta.paper then
+    only_numbered = false
     number_anew()
     numbered = pandoc.Pandoc(shortened_text(document.blocks)):walk(numbering).blocks
   end
@@ -1497,7 +1526,9 @@ function Pandoc(document)
   if not document.meta.paper then highlight_all(draft and keep_draft(document) or pieces) end
   if not draft then find_evidence(document.blocks) end
   document.blocks = fold_tests(fill_equations(document.blocks))
-  document = document:walk({ Div = break_names }):walk({ CodeBlock = code_block }):walk(prose)
+  local body = { Div = break_names, CodeBlock = code_block } -- in one walk, which is faster than one for each
+  for kind, filter in pairs(prose) do body[kind] = filter end
+  document = document:walk(body)
   if draft then
     place_bibliography(document.blocks)
   else

@@ -55,7 +55,7 @@ BuildsInFolderWithSpace() {
   make all build/thermoroll-bench >>"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
-  cp -r "$project"/build/{data,figures,live.html,report.html,math.woff2} "$project"/build/colours-* build/
+  cp -r "$project"/build/{data,figures,live.html,report.html,math.woff2} "$project"/build/{colours,drawing}-* build/
   mkdir -p build/live && cp "$project/build/live/solver.wasm" build/live/
   touch "$work/now" # one time for all, that none is older than what it is made of
   find build/data build/figures build/live build/*.html build/math.woff2 -type f -exec touch -r "$work/now" {} +

@@ -197,7 +197,7 @@ ValuesStandAsWritten() {
   local -A shown
   mkdir -p "$work/project/build"
   cp -r paper figures tests "$work/project/"
-  cp -r build/data build/figures build/colours-* "$work/project/build/" # the code is that of the report
+  cp -r build/data build/figures build/colours-* build/drawing-* "$work/project/build/" # the code is that of the report
   for file in values speed study-values evaluations; do
     awk -F'"' -v OFS='"' -v first=$(case $file in values) echo 71001 ;; speed) echo 81001 ;; evaluations) echo 61001 ;; *) echo 91001 ;; esac) '
       NF > 4 {

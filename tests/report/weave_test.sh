@@ -828,6 +828,32 @@ END
   grep -q 'third' page.html && ! grep -q 'other' page.html || fail "another code has the colours of the first"
 }
 
+# So are drawings, until their lines or their text are others. A draft makes none of another chapter's.
+DrawingsAreKept() {
+  draw f
+  chapter <<<$'# One {#sec:one}\n\n![One.](figures/f.svg){#fig:f fig-alt="A curve"}'
+  weave page.html one.md
+  local kept=build/drawing-f
+  [ -s $kept ] || fail "nothing is kept"
+  mv page.html before.html
+  weave page.html one.md
+  cmp page.html before.html || fail "the drawing that was kept makes another page"
+  sed -i 's/<path/<path class="kept"/' $kept
+  weave page.html one.md
+  grep -q 'class="kept"' page.html || fail "what was kept is not used"
+  sed -i 's/L2,2/L2,3/' build/figures/f.svg
+  weave page.html one.md
+  ! grep -q 'class="kept"' page.html || fail "another drawing is shown as the first"
+  sed -i 's/A curve/A line/' one.md
+  weave page.html one.md
+  expect_html 'aria-label="A line"'
+  rm $kept
+  printf '# Two {#sec:two}\n\nAs in @fig:f.\n' >two.md
+  weave page.html one.md two.md -M draft=two.md
+  expect_html '<a href="#fig:f">Figure 1</a>'
+  [ ! -e $kept ] || fail "a draft makes the drawing of another chapter"
+}
+
 # A browser looks for what :has() names again whenever it may have come or gone. In all of the page that is a
 # third of a second at each stroke of a live drawing.
 StyleLooksThroughNoWholePage() {
