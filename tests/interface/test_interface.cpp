@@ -693,7 +693,18 @@ TEST(Interface, OnlyFiniteAnswers) {
   tough.friction_temperature = tough.friction_floor = 0;
   tough.method = THERMOROLL_CLOSED_FORM;
   tough.friction = 1e300;
-  for (const thermoroll_scene& scene : {slow, tough}) {
+  thermoroll_scene strong = tough;  // only the power is infinite: the units and the groups are not
+  strong.roller = THERMOROLL_INSULATED;
+  strong.quantity = THERMOROLL_TRACTION;
+  strong.friction = 1e5;
+  strong.given = 9e4;
+  strong.load = 1e12;
+  strong.half_width = 1e10;
+  strong.speed = 1;
+  strong.shear_modulus = 1e-287;
+  strong.diffusivity = 1000;
+  strong.conductivity = 1e20;
+  for (const thermoroll_scene& scene : {slow, tough, strong}) {
     const thermoroll_result x = answer(scene);
     EXPECT_EQ(x.status, THERMOROLL_NOT_CONVERGED);
     EXPECT_EQ(std::string(x.message).find("no finite result was found"), 0U) << x.message;
@@ -705,6 +716,9 @@ TEST(Interface, OnlyFiniteAnswers) {
       EXPECT_TRUE(std::isnan(point.s));
     }
   }
+  strong.method = THERMOROLL_GAUSS_CHEBYSHEV;  // it has no errors, which would be infinite as well
+  strong.expansion = 0;
+  EXPECT_EQ(answer(strong).status, THERMOROLL_NOT_CONVERGED) << answer(strong).message;
 }
 
 TEST(Interface, ProfilesThatAreNot) {

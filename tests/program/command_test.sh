@@ -1794,6 +1794,8 @@ BadCurves() {
   answers creep-curve --friction 0.6 --peclet 0.5 --heating 1 --from "$end" --to 0 --points 2
   # an end as a fraction of the speed is refused as one
   refuses 2 "to-ratio = 100 is not allowed: it must be at most about " creep-curve "${wheel[@]}" --to-ratio 100
+  end=$(sed -E 's/.*at most about ([-+0-9.e]*),.*/\1/' err)
+  answers creep-curve "${wheel[@]}" --to-ratio "$end" --points 2
   refuses 2 "from-ratio = 0.02 is not allowed: it must be below --to-ratio, 0.01" creep-curve "${wheel[@]}" --from-ratio 0.02 --to-ratio 0.01
   refuses 2 "--peclet is missing" creep-curve --friction 0.6
   refuses 2 "--friction is required" creep-curve --peclet 100

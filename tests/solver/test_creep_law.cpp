@@ -267,6 +267,15 @@ TEST(CreepLaw, TemperatureIsThatOfTheSolution) {
   }
 }
 
+// A polynomial of the temperature may be below zero by its error, where the temperature is zero.
+TEST(CreepLaw, TemperatureIsNeverBelowZero) {
+  CreepLaw law = law_of(hot());
+  for (LawHalf* half : {&law.driving, &law.braking})
+    for (auto& piece : half->pieces) piece.temperature.front() -= 1;
+  for (const double creep : {-3.0, -0.1, -1e-9, 1e-9, 0.1, 3.0})
+    EXPECT_EQ(evaluate(law, creep)->temperature, 0) << creep;
+}
+
 TEST(CreepLaw, HasNoValueBeyondItsEnd) {
   const CreepLaw law = law_of(steel(), 1e-4, 2);
   EXPECT_EQ(law.driving.reason, "no more was asked for");
