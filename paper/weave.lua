@@ -800,7 +800,11 @@ local function name_columns(id, head)
 end
 
 local function framed_table(content, id, text, class)
-  if content.colspecs then content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end) end
+  if content.colspecs then
+    content.colspecs = content.colspecs:map(function(spec) -- the style sheet has all other columns at the left
+      return { spec[1] == "AlignRight" and spec[1] or "AlignDefault", nil }
+    end)
+  end
   local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
@@ -915,7 +919,7 @@ local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 
 local function titled(chunk, title, part)
-  return string.format('⟨%s <span class="chunk-number">%s%s</span>⟩',
+  return string.format('⟨%s <small>%s%s</small>⟩', -- a short tag, as it stands thousands of times
     title and html_of(inlines_of(title)) or escape(chunk.name), chunk.number, part and "." .. part or "")
 end
 
