@@ -33,7 +33,8 @@
 --   ::: {#tbl:x .equations}                           the table of the equations that have a `paper`
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
---                                                     first behind a numbered equation, which it is
+--                                                     first behind a numbered equation, which it is;
+--                                                     no other chunk has this title
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     from speed.json if it rests on a time, or
 --                                                     study-values.json, or evaluations.json
@@ -929,7 +930,14 @@ local function collect_chunks()
     pieces:extend(tangle.parse(chapter.name, chapter.text))
   end
   collected = tangle.collect(pieces)
+  local first = {} -- title -> the piece that has it: a title leads to one place
   for _, piece in ipairs(pieces) do
+    local other = first[piece.title or ""]
+    if other then
+      mistakes:insert(string.format("%s:%d: the title '%s' stands already at %s:%d", piece.source, piece.line - 1,
+        piece.title, other.source, other.line - 1))
+    end
+    if piece.title then first[piece.title] = piece end
     local chunk = chunks[piece.id]
     if not chunk then
       chunk = { name = piece.id, number = define("lst:" .. piece.id, "lst"),
