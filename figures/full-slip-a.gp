@@ -14,4 +14,4 @@ set label 'drives' at 0.45, 0.1
 set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 width 1
 curve(column_name, i, text) = sprintf("data using 'creep':'%s' with lines linetype %d title '%s'", \
   column_name, i, text)
-eval "plot ".curve('one', 1, 'H = 1').", ".curve('half', 2, 'H = 0.5').", ".curve('without', 3, 'H = 0')
+eval "plot ".curve('one', 1, '{/:Italic H} = 1').", ".curve('half', 2, '{/:Italic H} = 0.5').", ".curve('without', 3, '{/:Italic H} = 0')

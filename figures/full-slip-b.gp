@@ -14,4 +14,4 @@ curve(column_name, i, text) = \
   sprintf("data using 'creep':'limit_%s' with lines linetype %d dashtype (4,3) linewidth 0.8 notitle, " \
   ."data using 'creep':'%s' with lines linetype %d dashtype solid title '%s'", \
   column_name, i, column_name, i, text)
-eval "plot ".curve('one', 1, 'H = 1').", ".curve('half', 2, 'H = 0.5')
+eval "plot ".curve('one', 1, '{/:Italic H} = 1').", ".curve('half', 2, '{/:Italic H} = 0.5')

@@ -33,7 +33,8 @@
 --   ::: {#tbl:x .equations}                           the table of the equations that have a `paper`
 --   @eq:x, [@fig:x; @fig:y], @lst:chunk               references
 --   ``` {.cpp #name title="..." .open}                a chunk that is not folded to its title; neither is the
---                                                     first behind a numbered equation, which it is
+--                                                     first behind a numbered equation, which it is;
+--                                                     no other chunk has this title
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     from speed.json if it rests on a time, or
 --                                                     study-values.json, or evaluations.json
@@ -800,7 +801,11 @@ local function name_columns(id, head)
 end
 
 local function framed_table(content, id, text, class)
-  if content.colspecs then content.colspecs = content.colspecs:map(function(spec) return { spec[1], nil } end) end
+  if content.colspecs then
+    content.colspecs = content.colspecs:map(function(spec) -- the style sheet has all other columns at the left
+      return { spec[1] == "AlignRight" and spec[1] or "AlignDefault", nil }
+    end)
+  end
   local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
   if id then
     blocks:extend({ raw("<figcaption>"), pandoc.Plain(caption("Table", define(id, "tbl"), text)),
@@ -915,7 +920,7 @@ local collected -- and as it collects them: name -> pieces
 local chunks = {} -- name -> { name, number, title, html, file, pieces, users }; html is ⟨Title 12⟩
 
 local function titled(chunk, title, part)
-  return string.format('⟨%s <span class="chunk-number">%s%s</span>⟩',
+  return string.format('⟨%s <small>%s%s</small>⟩', -- a short tag, as it stands thousands of times
     title and html_of(inlines_of(title)) or escape(chunk.name), chunk.number, part and "." .. part or "")
 end
 
@@ -925,7 +930,14 @@ local function collect_chunks()
     pieces:extend(tangle.parse(chapter.name, chapter.text))
   end
   collected = tangle.collect(pieces)
+  local first = {} -- title -> the piece that has it: a title leads to one place
   for _, piece in ipairs(pieces) do
+    local other = first[piece.title or ""]
+    if other then
+      mistakes:insert(string.format("%s:%d: the title '%s' stands already at %s:%d", piece.source, piece.line - 1,
+        piece.title, other.source, other.line - 1))
+    end
+    if piece.title then first[piece.title] = piece end
     local chunk = chunks[piece.id]
     if not chunk then
       chunk = { name = piece.id, number = define("lst:" .. piece.id, "lst"),

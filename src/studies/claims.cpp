@@ -112,8 +112,10 @@ Claims on_the_data() {
   const Scene steel = scene_of(wheel_on_rail(), paper::friction);
   Claim speed = datum("Pe = 5000 is a speed of about 25 m/s", "25", speed_at(5000), 2);
   speed.source = "p. 2583";
-  speed.evidence.chunk = "The speed at a Péclet number";
-  speed.evidence.tests = {"Claims.CelsiusFollowTheSpeed"};
+  speed.evidence = {"sec:claims-data",
+                    "The speed at a Péclet number",
+                    {"Claims.CelsiusFollowTheSpeed"},
+                    "fig:celsius"};
   return {datum("thermomechanical ratio H of the wheel on the rail", "0.02", steel.heating, 4),
           datum("Péclet number of the wheel on the rail", "4360", steel.peclet, 1), speed,
           on_the_load()};
@@ -460,7 +462,8 @@ Claim on_hot_friction() {
 }
 
 Claims on_what_cannot_be_tested() {
-  const auto row = [](const std::string& claim, const std::string& source, const std::string& why) {
+  const auto row = [](const std::string& claim, const std::string& source, const std::string& why,
+                      const std::string& figure) {
     const Verdict judged{Judgement::untestable, "not testable: " + why};
     return Claim{claim,
                  source,
@@ -471,13 +474,15 @@ Claims on_what_cannot_be_tested() {
                  judged,
                  {"sec:claims-untestable",
                   "Statements that cannot be tested",
-                  {"Claims.VerdictsFollowFromTheTable"}}};
+                  {"Claims.VerdictsFollowFromTheTable"},
+                  figure}};
   };
   return {row("the formulation is more general than those published before", "p. 2584",
-              "about other work"),
+              "about other work", ""),
           row("the temperature can have a great influence on friction", "p. 2583",
-              "a law of friction is an input"),
-          row("the number of nodes depends on the input", "p. 2580", "their choice for a scene")};
+              "a law of friction is an input", "fig:hot-friction"),
+          row("the number of nodes depends on the input", "p. 2580", "their choice for a scene",
+              "fig:seen")};
 }
 
 /// Count a run of scene x; returns the error of its T*max in per cent.

@@ -17,7 +17,7 @@ struct Evidence {
   std::string section;             ///< the label of the section
   std::string chunk;               ///< the title of the chunk that computes the values
   std::vector<std::string> tests;  ///< the names of the tests
-  std::string figure = {};         ///< the label of the figure that shows it, if there is one
+  std::string figure = {};         ///< the label of the figure that shows it, or empty
 };
 
 /// A statement of the paper beside our values; the first six fields are text for a table.

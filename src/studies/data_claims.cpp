@@ -31,8 +31,7 @@ std::string in_tex(std::string text) {
 }
 
 std::string links_to(const Evidence& x) {
-  std::string links = '@' + x.section;
-  if (!x.figure.empty()) links += ", @" + x.figure;
+  std::string links = '@' + x.section + ", " + (x.figure.empty() ? "–" : '@' + x.figure);
   links += " [code](<#chunk:" + x.chunk + ">)";
   for (const std::string& test : x.tests) links += " [test](#test:" + test + ')';
   return links;

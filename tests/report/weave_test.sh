@@ -88,6 +88,19 @@ UnknownChunk() {
   expect_error 'one.md:5: unknown reference @lst:nowhere'
 }
 
+TitleOfTwoChunks() {
+  chapter <<'END'
+``` {.cpp #first title="A title"}
+int a;
+```
+
+``` {.cpp #second title="A title"}
+int b;
+```
+END
+  expect_error "one.md:9: the title 'A title' stands already at one.md:5"
+}
+
 UnknownCitation() {
   chapter <<<'See [@nobody1900].'
   expect_error '[WARNING] Citeproc: citation nobody1900 not found'
