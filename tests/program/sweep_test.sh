@@ -433,7 +433,7 @@ OutputIsWholeOrAbsent() {
   cmp results.csv expected
   echo old >results.csv
   endless() { cat scenes.csv; yes 0.6,0.7,100,1,; }
-  interrupt INT 4000 "$program" sweep --output results.csv < <(endless)
+  interrupt INT 600000 "$program" sweep --output results.csv < <(endless)
   [ $status -eq 130 ] || fail "status $status: $(cat err)"
   one_line "stopped by a signal: Interrupt, after "
   [ "$(cat results.csv)" = old ] || fail "$(head -1 results.csv)"
@@ -470,7 +470,7 @@ ResumesWhereItWasStopped() {
   done
   { echo friction,traction,peclet,heating,tolerance; yes 0.6,0.7,100,1, | head -50000; } >scenes.csv
   rm results
-  interrupt TERM 20000 "$program" sweep scenes.csv --jobs 1 --resume results
+  interrupt TERM 600000 "$program" sweep scenes.csv --jobs 1 --resume results
   [ $status -eq 143 ] || fail "status $status: $(cat err)"
   one_line "stopped by a signal: Terminated, after "
   local rows
@@ -813,10 +813,10 @@ InterruptedLeavesWholeRows() {
     [ $status -eq "$1" ] || fail "status $status, not $1: $(cat err)"
     one_line "stopped by a signal: $2"
   }
-  interrupt INT 1 "$program" sweep < <(endless) >results.csv
+  interrupt INT 600000 "$program" sweep < <(endless) >results.csv
   died 130 Interrupt
   whole_rows <results.csv
-  interrupt TERM 1 "$program" sweep < <(endless) >results.csv
+  interrupt TERM 600000 "$program" sweep < <(endless) >results.csv
   died 143 Terminated
   whole_rows <results.csv
   mkfifo unread
