@@ -843,6 +843,28 @@ IgnoredSignalsStayIgnored() {
   [ "$(wc -l <results.csv)" = 9 ] || fail "$(wc -l <results.csv) rows"
 }
 
+# A file that is appended to keeps its rows when the disk is full, and is gone on with; a description that
+# cannot be written leaves the results, and is itself absent.
+FullDiskIsGoneOnWith() {
+  write_scenes 100
+  "$program" sweep scenes.csv >expected 2>err || [ $? -eq 4 ] || fail "$(cat err)"
+  status=0
+  (ulimit -f 20 && "$program" sweep scenes.csv --resume results.csv 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write results.csv: File too large"
+  [ "$(wc -c <results.csv)" -gt 10000 ] || fail "hardly anything in the file"
+  refuses 4 "100 of 400 rows have an error" sweep scenes.csv --resume results.csv
+  cmp results.csv expected || fail "not the same after a full disk"
+
+  head -2 scenes.csv >one.csv
+  status=0
+  (ulimit -f 2 && "$program" sweep one.csv --output one --datapackage package.json 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write package.json: File too large"
+  [ "$(wc -l <one)" = 2 ] && [ ! -e package.json ] || fail "left behind: $(ls)"
+  [ -z "$(find . -name 'thermoroll-*')" ] || fail "left behind: $(ls)"
+}
+
 # Only there, and not among the rows.
 ProgressOnATerminal() { # slow
   script -qec true /dev/null </dev/null >"$work/script" 2>&1 || # as in a chroot without /dev/pts
