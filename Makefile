@@ -35,7 +35,7 @@ packages_for_test := $(test_packages)
 packages_for_test-release := $(test_packages)
 packages_for_debug := $(build_packages) libgtest-dev
 packages_for_asan := $(build_packages) libgtest-dev
-packages_for_tsan := $(build_packages)
+packages_for_tsan := $(build_packages) libgtest-dev
 packages_for_valgrind := $(build_packages) valgrind
 packages_for_sweep-bench := $(build_packages)
 packages_for_live-bench := $(report_packages) $(live_packages) python3 chromium
@@ -426,12 +426,14 @@ coverage: | build
 	  build/coverage/thermoroll figure-data $$name --output build/coverage/data || exit 1; done
 	@bash tests/coverage.sh build/coverage
 
-## tsan: sweeps under the thread sanitizer
+## tsan: sweeps, and the library called from several threads, under the thread sanitizer
 tsan: | build
 	$(call configure,tsan)
-	@$(compile) build/tsan --target thermoroll-cli
-	@for case in SameBytesWithAnyNumberOfJobs BadRowsGiveTheirError ClosedPipe InterruptedLeavesWholeRows; do \
+	@$(compile) build/tsan --target thermoroll-cli interface-test
+	@for case in SameBytesWithAnyNumberOfJobs BadRowsGiveTheirError ClosedPipe InterruptedLeavesWholeRows \
+	    OutputIsWholeOrAbsent ResumesWhereItWasStopped; do \
 	  bash tests/program/sweep_test.sh $$case build/tsan/thermoroll || exit 1; echo "$$case: no race"; done
+	@$(ctest) --test-dir build/tsan --no-tests=error -R '^Interface\.(AnyNumberOfThreads|LawsOfSeveralThreads)$$'
 
 ## valgrind: solves and a sweep under memcheck
 valgrind: build/thermoroll

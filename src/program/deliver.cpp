@@ -90,7 +90,7 @@ std::atomic<long> counted{-1};  // its rows
 long rows_written() { return counted; }
 
 bool stop_output(std::chrono::milliseconds longest) {
-  const bool stopped = writing.try_lock_for(longest);
+  const bool stopped = writing.try_lock_until(std::chrono::system_clock::now() + longest);
   if (stopped) std::remove(unfinished.c_str());
   return stopped;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "solver/contact_grid.hpp"
@@ -169,10 +168,7 @@ const char* why_coupled(const Scene& scene, const Prescribed& given) {
 }
 
 std::string brief(double x) {
-  if (!std::isfinite(x)) return "an unknown part";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", x);
-  return text;
+  return std::isfinite(x) ? with_exponent(x, 2) : "an unknown part";
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <new>
 
@@ -353,11 +352,9 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
   std::vector<std::string> notes;
   for (const auto& [name, value, most, meaning] : limits) {
     if (!(value > most)) continue;
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "%s = %.3g is above %.4g (%s): are all data in SI units and none in GPa or mm?",
-                  name, value, most, meaning);
-    notes.emplace_back(text);
+    notes.push_back(std::string(name) + " = " + rounded(value, 3) + " is above " +
+                    rounded(most, 4) + " (" + meaning +
+                    "): are all data in SI units and none in GPa or mm?");
   }
   return notes;
 }

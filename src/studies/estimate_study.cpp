@@ -33,9 +33,9 @@ void draw_second_body(Random& random, StudyKind kind, Scene& scene) {
   if (kind == StudyKind::alike) return;
   scene.roller.peclet = scene.peclet * random.log_uniform(1.0 / 30, 30);
   if (kind == StudyKind::unlike) return;
-  const double sign = random.uniform() < 0.5 ? -1 : 1;
+  const double side = random.uniform() < 0.5 ? -1 : 1;
   scene.bulk_difference =
-      sign * random.log_uniform(0.003, 0.3) * scene.friction / std::sqrt(scene.peclet);
+      side * random.log_uniform(0.003, 0.3) * scene.friction / std::sqrt(scene.peclet);
 }
 
 void draw_law(Random& random, Scene& scene) {

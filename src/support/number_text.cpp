@@ -13,6 +13,20 @@ std::string shortest(double value) {
   return {text.data(), std::to_chars(text.begin(), text.end(), value).ptr};
 }
 
+std::string rounded(double value, int digits) {
+  std::array<char, 32> text{};
+  char* const end = text.data() + text.size();
+  return {text.data(),
+          std::to_chars(text.data(), end, value, std::chars_format::general, digits).ptr};
+}
+
+std::string with_exponent(double value, int digits) {
+  std::array<char, 32> text{};
+  char* const end = text.data() + text.size();
+  return {text.data(),
+          std::to_chars(text.data(), end, value, std::chars_format::scientific, digits - 1).ptr};
+}
+
 std::string fixed(double value, int decimals) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << value;

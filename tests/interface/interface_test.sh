@@ -107,6 +107,49 @@ END
   "$work/all" || fail "the check $? does not hold"
 }
 
+# A program that takes the decimals of its user's language gets the same numbers and words.
+SameInEveryLocale() {
+  localedef -i de_DE -f UTF-8 "$scratch/de_DE.UTF-8" >/dev/null 2>&1 ||
+    { echo "skipped: locales cannot be made here"; exit 77; }
+  cat >"$work/german.c" <<'END'
+#include <locale.h>
+#include <stdio.h>
+#include <thermoroll.h>
+
+int main(int count, char** arguments) {
+  struct thermoroll_scene x[2];
+  struct thermoroll_result y[2];
+  if (count > 1 && !setlocale(LC_ALL, arguments[1])) return 2;
+  fprintf(stderr, "%.1f", 0.5);
+  for (int k = 0; k < 2; ++k) {
+    thermoroll_scene_init(&x[k], sizeof x[k]);
+    x[k].friction = 0.6;
+    x[k].given = k == 0 ? 0.5 : 0.65;
+    x[k].load = 1.2e7;
+    x[k].speed = 22.5;
+    x[k].half_width = 7.8e-3;
+    x[k].shear_modulus = 2.1e9;
+    x[k].poisson = 0.3;
+    x[k].expansion = 1.1e-5;
+    x[k].diffusivity = 1.4e-5;
+    x[k].conductivity = 50;
+  }
+  y[0].size = sizeof y[0];
+  thermoroll_solve(x, y, 2, 1);
+  setlocale(LC_ALL, "C");
+  for (int k = 0; k < 2; ++k)
+    printf("%d %.17g %s / %s\n", y[k].status, y[k].value.creep, y[k].message, y[k].notes);
+}
+END
+  ${CC:-cc} -Isrc/include "$work/german.c" "$library" -Wl,-rpath,"$(dirname "$library")" -o "$work/german" || fail "see above"
+  "$work/german" >"$work/expected" 2>/dev/null
+  grep -q '^0 .* / half_width_over_radius = 0\.[0-9]* is above 0\.1' "$work/expected" || fail "$(cat "$work/expected")"
+  grep -q '^2 .*0\.65 is not allowed' "$work/expected" || fail "$(cat "$work/expected")"
+  LOCPATH="$scratch" "$work/german" de_DE.UTF-8 >"$work/printed" 2>"$work/half" || fail "no German locale"
+  [ "$(cat "$work/half")" = 0,5 ] || fail "German has $(cat "$work/half")"
+  diff "$work/expected" "$work/printed" || fail "the locale makes a difference"
+}
+
 # The headers that are installed have printed numbers; an unknown reference ends the installation.
 HeadersHavePrintedNumbers() {
   cmake -Dchapters=paper -Dfrom=src/include "-Dto=$work/to" -P paper/references.cmake

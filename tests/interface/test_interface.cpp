@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <string>
 #include <thread>
@@ -257,6 +258,11 @@ TEST(Interface, MessagesAreWhole) {
   EXPECT_STREQ(thermoroll_message(0), "done");
 }
 
+template <class Row>
+bool same_bytes(const std::vector<Row>& x, const std::vector<Row>& y) {
+  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0;
+}
+
 // A few hundred scenes of very different cost, by any number of threads and by two callers at once.
 TEST(Interface, AnyNumberOfThreads) {
   std::vector<thermoroll_scene> scenes;
@@ -266,16 +272,14 @@ TEST(Interface, AnyNumberOfThreads) {
     scenes.back().heating = k % 3 == 0 ? 1.0 : 1e-5;
     scenes.back().friction = k % 10 == 9 ? -1 : 0.6;
   }
-  const auto alone = solved(scenes, 1);
-  const auto same = [&](const std::vector<thermoroll_result>& x) {
-    return std::memcmp(x.data(), alone.data(), x.size() * sizeof x[0]) == 0;
-  };
-  for (const int threads : {0, 2, 7, 1000}) EXPECT_TRUE(same(solved(scenes, threads))) << threads;
-  bool other_is_same = false;
-  std::thread other([&] { other_is_same = same(solved(scenes, 2)); });
-  EXPECT_TRUE(same(solved(scenes, 2)));
+  std::vector<thermoroll_result> by_other;
+  std::thread other([&] { by_other = solved(scenes, 2); });
+  const auto beside = solved(scenes, 2);  // what is computed at its first use, all compute at once
   other.join();
-  EXPECT_TRUE(other_is_same);
+  const auto alone = solved(scenes, 1);
+  EXPECT_TRUE(same_bytes(by_other, alone) && same_bytes(beside, alone));
+  for (const int threads : {0, 2, 7, 1000})
+    EXPECT_TRUE(same_bytes(solved(scenes, threads), alone)) << threads;
 }
 
 TEST(Interface, RefusesOtherStructures) {
@@ -859,6 +863,77 @@ TEST(Interface, LawInSiUnits) {
   scene.radius = 0;
   EXPECT_EQ(law_of(scene, 0.03, info), nullptr);
   EXPECT_EQ(info.status, THERMOROLL_REFUSED);
+}
+
+// Laws made in C and in C++, their values, a profile and a message, by one caller.
+struct FromLaw {
+  std::vector<thermoroll_law_value> in_c;
+  std::vector<thermoroll_point> points;
+  std::vector<double> in_cpp;
+  std::string message;
+};
+
+bool operator==(const FromLaw& x, const FromLaw& y) {
+  return same_bytes(x.in_c, y.in_c) && same_bytes(x.points, y.points) &&
+         same_bytes(x.in_cpp, y.in_cpp) && x.message == y.message;
+}
+
+FromLaw evaluated(const thermoroll_law* in_c, const thermoroll::CreepLaw& in_cpp) {
+  const std::vector<double> creeps{-0.4, -0.1, 0, 0.05, 0.2, 0.3, 0.7};
+  FromLaw found;
+  found.in_c.resize(creeps.size());
+  found.in_c[0].size = sizeof found.in_c[0];
+  EXPECT_EQ(thermoroll_law_evaluate(in_c, creeps.data(), found.in_c.data(), creeps.size()), 0);
+  for (const double creep : creeps)
+    found.in_cpp.push_back(thermoroll::evaluate(in_cpp, creep).value().traction);
+  return found;
+}
+
+thermoroll::CreepLaw soft_law() {
+  Scene soft{0.6, 100, 0.0175};
+  soft.law = LawOfFriction{LawKind::linear, {0.02}};
+  return thermoroll::creep_law(soft, Formulation::corrected, 1e-2, {-1, 1});
+}
+
+FromLaw made_and_evaluated() {
+  thermoroll_scene scene = hot();
+  scene.tolerance = 1e-2;
+  thermoroll_law_info info;
+  thermoroll_law* law = law_of(scene, 1, info);
+  FromLaw found = evaluated(law, soft_law());
+  thermoroll_law_free(law);
+  thermoroll_result result;
+  found.points = points_of(scene, 9, result);
+  scene.friction = -1;
+  found.message = answer(scene).message;
+  return found;
+}
+
+std::vector<FromLaw> at_once(const std::function<FromLaw()>& work) {
+  std::vector<FromLaw> found(3);
+  std::vector<std::thread> threads;
+  for (FromLaw& x : found) threads.emplace_back([&] { x = work(); });
+  for (std::thread& thread : threads) thread.join();
+  return found;
+}
+
+// Each of several threads makes laws of its own, and all evaluate one that they share. They come
+// first, so that what is computed at its first use is computed by all at once.
+TEST(Interface, LawsOfSeveralThreads) {
+  const std::vector<FromLaw> own = at_once(made_and_evaluated);
+  const FromLaw alone = made_and_evaluated();
+  EXPECT_EQ(alone.message, "friction = -1 is not allowed: it must be positive");
+  EXPECT_NE(alone.in_cpp[0], alone.in_cpp[1]);
+  for (const FromLaw& x : own) EXPECT_TRUE(x == alone);
+
+  thermoroll_scene scene = steel();
+  scene.tolerance = 1e-2;
+  thermoroll_law_info info;
+  thermoroll_law* law = law_of(scene, 1, info);
+  const thermoroll::CreepLaw in_cpp = soft_law();
+  const auto evaluate_both = [&] { return evaluated(law, in_cpp); };
+  for (const FromLaw& x : at_once(evaluate_both)) EXPECT_TRUE(x == evaluate_both());
+  thermoroll_law_free(law);
 }
 
 TEST(Interface, LawsThatAreNot) {

@@ -1468,9 +1468,12 @@ SameInEveryLocale() { # slow
     done
   done
   local data=("${steel[@]:0:2}" "${steel[@]:4}" --radius 0.46) command
+  printf '%s\n' friction,traction,peclet,heating 0.6,0.25,4360,0.0175 0.6,-0.5,100.5,1e-3 >scenes.csv
   for command in "figure-data kernels" "help solve" "solve ${data[*]} --creep-ratio 0.005" \
     "solve ${data[*]} --tangential_load -6.5e6 --profile profile --profile-points 9 --format json" \
-    "temperature ${data[*]} --creep_ratio 0.005 --at -0.5:1.5:3 --depth 0,0.25"; do
+    "temperature ${data[*]} --creep_ratio 0.005 --at -0.5:1.5:3 --depth 0,0.25" \
+    "creep-curve ${hot_scene[*]} --points 3" "law ${hot_scene[*]} --tolerance 1e-2 --format c" \
+    "law ${hot_scene[*]} --tolerance 1e-2 --format json" "sweep scenes.csv --output - --format jsonl"; do
     # shellcheck disable=SC2086
     answers $command
     mv out expected
@@ -1500,7 +1503,8 @@ ReadOnlyFolderAndFullDisk() {
     one_line "cannot write ${arguments##* }: Permission denied"
   done
   for arguments in "temperature ${paper_scene[*]} --at 0:1:101 --output file" \
-    "solve ${paper_scene[*]} --profile file" "figure-data kernels --output file"; do
+    "solve ${paper_scene[*]} --profile file" "figure-data kernels --output file" \
+    "law ${hot_scene[*]} --tolerance 1e-2 --output file" "creep-curve ${hot_scene[*]} --points 51 --output file"; do
     status=0
     # shellcheck disable=SC2086
     (ulimit -f 1 && "$program" $arguments 2>err) || status=$?
@@ -1533,7 +1537,8 @@ END
 FullDevice() {
   local arguments
   for arguments in --help --version "solve --help" "figure-data --list" "figure-data kernels" \
-    "solve ${paper_scene[*]}" "temperature ${paper_scene[*]} --at 0"; do
+    "solve ${paper_scene[*]}" "temperature ${paper_scene[*]} --at 0" \
+    "creep-curve ${hot_scene[*]} --points 3" "law ${hot_scene[*]} --tolerance 1e-2" "help --format man"; do
     status=0
     # shellcheck disable=SC2086
     "$program" $arguments >/dev/full 2>err || status=$?
@@ -1544,9 +1549,13 @@ FullDevice() {
 
 ClosedPipe() {
   set +o pipefail
-  { sleep 0.3; status=0; "$program" solve "${paper_scene[@]}" 2>err || status=$?; echo $status >status; } | true
-  [ "$(cat status)" = 1 ] || fail "status $(cat status)"
-  one_line "cannot write to standard output: Broken pipe"
+  local arguments
+  for arguments in "solve ${paper_scene[*]}" "law ${hot_scene[*]} --tolerance 1e-2" "creep-curve ${hot_scene[*]} --points 3"; do
+    # shellcheck disable=SC2086
+    { sleep 0.3; status=0; "$program" $arguments 2>err || status=$?; echo $status >status; } | true
+    [ "$(cat status)" = 1 ] || fail "$arguments gave status $(cat status)"
+    one_line "cannot write to standard output: Broken pipe"
+  done
   status=0
   "$program" solve "${paper_scene[@]}" 2>err >&- || status=$?
   [ $status -eq 1 ] || fail "status $status with standard output closed"

@@ -46,7 +46,7 @@ code() {
 
 # interrupt SIGNAL BYTES COMMAND...: runs the command and sends it the signal when it waits for signals,
 # which is its second thread, and has written so many bytes. (With job control, as otherwise a command
-# in the background ignores an interrupt.)
+# in the background ignores an interrupt. The thread sanitizer writes half a megabyte before main().)
 interrupt() {
   local signal=$1 bytes=$2 pid
   shift 2

@@ -433,7 +433,7 @@ OutputIsWholeOrAbsent() {
   cmp results.csv expected
   echo old >results.csv
   endless() { cat scenes.csv; yes 0.6,0.7,100,1,; }
-  interrupt INT 4000 "$program" sweep --output results.csv < <(endless)
+  interrupt INT 600000 "$program" sweep --output results.csv < <(endless)
   [ $status -eq 130 ] || fail "status $status: $(cat err)"
   one_line "stopped by a signal: Interrupt, after "
   [ "$(cat results.csv)" = old ] || fail "$(head -1 results.csv)"
@@ -470,7 +470,7 @@ ResumesWhereItWasStopped() {
   done
   { echo friction,traction,peclet,heating,tolerance; yes 0.6,0.7,100,1, | head -50000; } >scenes.csv
   rm results
-  interrupt TERM 20000 "$program" sweep scenes.csv --jobs 1 --resume results
+  interrupt TERM 600000 "$program" sweep scenes.csv --jobs 1 --resume results
   [ $status -eq 143 ] || fail "status $status: $(cat err)"
   one_line "stopped by a signal: Terminated, after "
   local rows
@@ -813,10 +813,10 @@ InterruptedLeavesWholeRows() {
     [ $status -eq "$1" ] || fail "status $status, not $1: $(cat err)"
     one_line "stopped by a signal: $2"
   }
-  interrupt INT 1 "$program" sweep < <(endless) >results.csv
+  interrupt INT 600000 "$program" sweep < <(endless) >results.csv
   died 130 Interrupt
   whole_rows <results.csv
-  interrupt TERM 1 "$program" sweep < <(endless) >results.csv
+  interrupt TERM 600000 "$program" sweep < <(endless) >results.csv
   died 143 Terminated
   whole_rows <results.csv
   mkfifo unread
@@ -841,6 +841,28 @@ IgnoredSignalsStayIgnored() {
   wait $pid || status=$?
   [ $status -eq 4 ] || fail "status $status: $(cat err)"
   [ "$(wc -l <results.csv)" = 9 ] || fail "$(wc -l <results.csv) rows"
+}
+
+# A file that is appended to keeps its rows when the disk is full, and is gone on with; a description that
+# cannot be written leaves the results, and is itself absent.
+FullDiskIsGoneOnWith() {
+  write_scenes 100
+  "$program" sweep scenes.csv >expected 2>err || [ $? -eq 4 ] || fail "$(cat err)"
+  status=0
+  (ulimit -f 20 && "$program" sweep scenes.csv --resume results.csv 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write results.csv: File too large"
+  [ "$(wc -c <results.csv)" -gt 10000 ] || fail "hardly anything in the file"
+  refuses 4 "100 of 400 rows have an error" sweep scenes.csv --resume results.csv
+  cmp results.csv expected || fail "not the same after a full disk"
+
+  head -2 scenes.csv >one.csv
+  status=0
+  (ulimit -f 2 && "$program" sweep one.csv --output one --datapackage package.json 2>err) || status=$?
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write package.json: File too large"
+  [ "$(wc -l <one)" = 2 ] && [ ! -e package.json ] || fail "left behind: $(ls)"
+  [ -z "$(find . -name 'thermoroll-*')" ] || fail "left behind: $(ls)"
 }
 
 # Only there, and not among the rows.
