@@ -219,7 +219,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     if (w > 0) {
       const GridSolution there = solution_at(x.curve, unknowns, w, last);
       if (there.newton_steps > 0) last = there;
-      solved = solved && there.newton_steps > 0 && there.value(Quantity::creep) > 0;
+      solved = solved && there.newton_steps > 0;
     }
     return stored(x, to <= 1, w, last);
   };

@@ -167,9 +167,7 @@ const char* why_coupled(const Scene& scene, const Prescribed& given) {
   return sticks_without_heat(scene.friction, given) ? nullptr : "without heat nothing would stick";
 }
 
-std::string brief(double x) {
-  return std::isfinite(x) ? with_exponent(x, 2) : "an unknown part";
-}
+std::string brief(double x) { return std::isfinite(x) ? with_exponent(x, 2) : "an unknown part"; }
 
 }  // namespace
 

@@ -8,8 +8,10 @@
 #include "support/number_text.hpp"
 
 using thermoroll::fixed;
+using thermoroll::rounded;
 using thermoroll::scientific;
 using thermoroll::shortest;
+using thermoroll::with_exponent;
 
 // The shortest text is read back unchanged; fixed decimals are off by half of the last at most.
 TEST(NumberText, IsReadBack) {
@@ -22,6 +24,18 @@ TEST(NumberText, IsReadBack) {
     EXPECT_NEAR(std::stod(text), 2 / 3.0, 0.5 * std::pow(10, -decimals));
     EXPECT_EQ(text.size(), decimals == 0 ? 1U : 2U + static_cast<unsigned>(decimals));
   }
+}
+
+// As printf has them in English.
+TEST(NumberText, RoundsAsPrintf) {
+  for (const double x : {0.1, 0.65432, 1e-300, -2.5, 1234567.0, 9.996e8, 0.0})
+    for (const int digits : {1, 2, 3, 4, 20}) {
+      char text[60];
+      std::snprintf(text, sizeof text, "%.*g", digits, x);
+      EXPECT_EQ(rounded(x, digits), text);
+      std::snprintf(text, sizeof text, "%.*e", digits - 1, x);
+      EXPECT_EQ(with_exponent(x, digits), text);
+    }
 }
 
 // In TeX a number has one digit before its point and the exponent that goes with that: mantissa and
