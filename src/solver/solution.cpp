@@ -348,6 +348,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there"},
       {"creep_ratio", std::abs(x.creep_ratio), 0.1, "strains are not small there"},
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus"},
+      {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most"},
       {"max_temperature_celsius", x.max_temperature_celsius, 1500, melts}};
   std::vector<std::string> notes;
   for (const auto& [name, value, most, meaning] : limits) {

@@ -509,6 +509,19 @@ TEST(Interface, NotesAreWhole) {
   EXPECT_EQ(notes.substr(notes.size() - 4), "1500");
 }
 
+TEST(Interface, NoteOfALengthInMillimetres) {
+  thermoroll_scene by_width = wheel(), by_radius = wheel();
+  by_width.half_width *= 1000;
+  by_radius.radius = 460;
+  by_radius.half_width = 0;
+  for (const thermoroll_scene& scene : {by_width, by_radius}) {
+    const thermoroll_result found = answer(scene);
+    ASSERT_EQ(found.status, 0) << found.message;
+    EXPECT_EQ(std::string(found.notes).find("half_width = "), 0U) << found.notes;
+  }
+  EXPECT_STREQ(answer(wheel()).notes, "");
+}
+
 TEST(Interface, EveryMemberInSiUnitsIsRead) {
   using S = thermoroll_scene;
   expect_effect(wheel(), &S::given, 0.02);
