@@ -796,7 +796,7 @@ local card_rules = pandoc.List() -- of the style sheet: where rows are cards, ea
 local function name_columns(id, head)
   for column, name in ipairs(head) do
     local text = type(name) == "string" and name or plain(pandoc.Pandoc({ pandoc.Plain(utils.blocks_to_inlines(name)) }))
-    card_rules:insert(string.format('[id="%s"] td:nth-child(%d) { --column: "%s"; }', id, column, text:gsub('[\\"<]', "")))
+    card_rules:insert(string.format('[id="%s"] td:nth-child(%d) { --column: "%s"; }', id, column, text:gsub('[\\"<_]', "")))
   end
 end
 

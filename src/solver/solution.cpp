@@ -563,13 +563,16 @@ std::optional<Estimate> least_friction(const Solution& x) {
   const double slip = x.value(slip_length), f = x.scene.friction;
   if (!x.scene.law || slip == 0) return std::nullopt;
   std::vector<double> at;
-  for (int i = 0; i <= 32; ++i) at.push_back(1 - slip * std::pow(std::cos(i * pi / 64), 2));
-  std::vector<CurvePoint> points = temperature_curve(x, at, 0).points;
+  for (int i = 0; i <= 4; ++i) at.push_back(1 - slip * std::pow(std::cos(i * pi / 8), 2));
+  const std::vector<CurvePoint> points = temperature_curve(x, at, 0).points;
+  const CurvePoint coldest = *std::min_element(
+      points.begin(), points.end(),
+      [](const CurvePoint& a, const CurvePoint& b) { return a.temperature < b.temperature; });
   const double top = x.value(max_temperature), error = (*x.error)(max_temperature);
-  points.push_back({x.value(max_temperature_at), top, error});
   Estimate least{std::numeric_limits<double>::infinity(), 0};
-  for (const CurvePoint& point : points) {
-    const double t = point.temperature, e = point.error.value_or(0);
+  for (int i = 0; i <= 32; ++i) {
+    const double t = std::lerp(coldest.temperature, top, i / 32.0);
+    const double e = std::lerp(coldest.error.value_or(0), error, i / 32.0);
     const auto away = [&](double other) {
       return f * std::abs(x.scene.law(other).value - x.scene.law(t).value);
     };

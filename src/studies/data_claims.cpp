@@ -21,6 +21,7 @@ const std::pair<std::string, std::string> symbols[] = {
     {"T*", "$T^*$"},
     {"v*", "$v^*$"},
     {"c0", "$c_0$"},
+    {"% of f", "% of $f$"},
 };
 
 std::string in_tex(std::string text) {

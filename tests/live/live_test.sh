@@ -15,7 +15,7 @@ LinksAndNonsense() { run "${FUNCNAME[0]}"; }
 RefusalsAreSentences() { run "${FUNCNAME[0]}"; }
 SlowSolvesAreCutOff() { run "${FUNCNAME[0]}"; }
 PageStandsWithoutIt() { run "${FUNCNAME[0]}"; }
-PolicyThatRefuses() { run "${FUNCNAME[0]}"; }
+PolicyThatRefuses() { run "${FUNCNAME[0]}"; } # for a release
 FitsAPhone() { run "${FUNCNAME[0]}"; }
 
 "$1"

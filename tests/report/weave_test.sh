@@ -380,7 +380,7 @@ END
   expect 'Table 2. Written.'
   printf 'a $\\mathrm{Pe}$,$T^*_{\\max}$,tolerance\nx,2,1e-8 to 1e-7\n' >build/data/t.csv
   expect '1e−8 to 1e−7'
-  expect_html '[id="tbl:t"] td:nth-child(1) { --column: "a Pe"; }' '[id="tbl:t"] td:nth-child(2) { --column: "T_max*"; }' '<figure class="table cards" id="tbl:t">'
+  expect_html '[id="tbl:t"] td:nth-child(1) { --column: "a Pe"; }' '[id="tbl:t"] td:nth-child(2) { --column: "Tmax*"; }' '<figure class="table cards" id="tbl:t">'
   printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
   expect 'Table 2. Written.'
   expect_html '<figure class="table cards" id="tbl:w">' '[id="tbl:w"] td:nth-child(2) { --column: "value"; }' \
