@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace thermoroll {
@@ -29,6 +30,7 @@ std::string with_exponent(double value, int digits) {
 
 std::string fixed(double value, int decimals) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(decimals) << value;
   return text.str();
 }
@@ -36,6 +38,7 @@ std::string fixed(double value, int decimals) {
 std::string scientific(double value, int digits) {
   if (value == 0) return "0";
   std::ostringstream stream;
+  stream.imbue(std::locale::classic());
   stream << std::scientific << std::setprecision(digits - 1) << value;
   const std::string text = stream.str();  // 2.1e-03
   const std::size_t e = text.find('e');

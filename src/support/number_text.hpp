@@ -14,7 +14,7 @@ std::string rounded(double value, int digits);
 /// A number with so many digits, at most 20, and an exponent, as "2.1e-03".
 std::string with_exponent(double value, int digits);
 
-/// A number with so many decimals, as "0.0021".
+/// A number with so many decimals, as "0.0021"; in any locale.
 std::string fixed(double value, int decimals);
 
 /// A number with so many digits, in TeX, as "$2.1\cdot10^{-3}$".

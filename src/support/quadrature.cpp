@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_min.h>
+
+#include "support/number_text.hpp"
 
 namespace thermoroll {
 namespace {
@@ -53,10 +54,9 @@ Estimate integrate(const Function& f, const std::vector<double>& points, double 
     sum.error += panel.error + noise * std::abs(panel.value);
   }
   if (!(sum.error <= promised * std::max(std::abs(sum.value), scale) + tiny)) {
-    std::ostringstream message;
-    message << "integral from " << points.front() << " to " << points.back()
-            << " not resolved: " << sum.value << " with estimated error " << sum.error;
-    throw std::runtime_error(message.str());
+    throw std::runtime_error("integral from " + shortest(points.front()) + " to " +
+                             shortest(points.back()) + " not resolved: " + shortest(sum.value) +
+                             " with estimated error " + with_exponent(sum.error, 2));
   }
   return sum;
 }
@@ -65,8 +65,7 @@ double minimum(const Function& f, double low, double middle, double high) {
   const Minimizer search(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
   gsl_function function = wrapped(f);
   if (gsl_min_fminimizer_set(search.get(), &function, middle, low, high) != GSL_SUCCESS)
-    throw std::runtime_error("no minimum between " + std::to_string(low) + " and " +
-                             std::to_string(high));
+    throw std::runtime_error("no minimum between " + shortest(low) + " and " + shortest(high));
   for (int i = 0; i < 100 && high - low > 1e-9; ++i) {
     gsl_min_fminimizer_iterate(search.get());
     low = gsl_min_fminimizer_x_lower(search.get());

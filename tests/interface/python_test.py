@@ -304,6 +304,43 @@ def LawsThatAreNot():
         assert not law._free.alive
 
 
+def SameInEveryLocale(*names):
+    """Answers, messages and notes of a program that takes the decimals of its user's language."""
+    import locale
+
+    def text(x):
+        return repr({name: text(y) for name, y in vars(x).items()}) if hasattr(x, "__dict__") else repr(np.asarray(x).tolist())
+
+    def refusal(function, **named):
+        try:
+            function(**named)
+        except (ValueError, RuntimeError) as told:
+            return str(told)
+        raise AssertionError("not refused")
+
+    def everything():
+        soft = {**wheel, "shear_modulus": 2.1e9}
+        law = thermoroll.law(**steel, tolerance=1e-2, reach=1.0)
+        return [
+            text(thermoroll.solve(**soft, traction=[0.25, 0.3455, 0.355, -0.1], tolerance=1e-3)),
+            text(thermoroll.solve(friction=0.6, traction=0.5, peclet=[100.5, -1.5], heating=0.0175, roller="identical")),
+            text(thermoroll.profile(**wheel, creep_ratio=0.001, points=9)),
+            text(thermoroll.temperature(**wheel, creep_ratio=0.001, at=[-0.5, 1.5], depth=0.25)),
+            text(law(np.linspace(-1.5, 1.5, 7))),
+            refusal(thermoroll.law, friction=-0.5, peclet=100.5),
+            refusal(thermoroll.profile, **steel, traction=0.65),
+        ]
+
+    expected = everything()
+    assert "0.355 is not allowed" in expected[0] and "half_width_over_radius = 0." in expected[0], expected[0]
+    assert "-0.5 is not allowed" in expected[5] and "0.65" in expected[6], expected[5:]
+    for name in names:
+        locale.setlocale(locale.LC_ALL, name)
+        assert locale.localeconv()["decimal_point"] == ",", name
+        for ours, theirs in zip(expected, everything()):
+            assert ours == theirs, (name, ours, theirs)
+
+
 def Throughput(program):
     """A hundred thousand scenes take no longer than in a program in C++, but for a tenth."""
     import tempfile

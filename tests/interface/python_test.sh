@@ -34,6 +34,14 @@ Broadcasts() { run "${FUNCNAME[0]}"; }
 Scalars() { run "${FUNCNAME[0]}"; }
 RefusesWhatIsNoWord() { run "${FUNCNAME[0]}"; }
 LawIsThatOfTheLibrary() { run "${FUNCNAME[0]}"; }
+SameInEveryLocale() {
+  local locale
+  for locale in de_DE tr_TR; do
+    localedef -i $locale -f UTF-8 "$scratch/$locale.UTF-8" >/dev/null 2>&1 || skip "locales cannot be made here"
+  done
+  export LOCPATH="$scratch"
+  run "${FUNCNAME[0]}" de_DE.UTF-8 tr_TR.UTF-8
+}
 LawsThatAreNot() { run "${FUNCNAME[0]}"; }
 LawsAreNotCopied() { run "${FUNCNAME[0]}"; }
 MessagesEndWhereTheyEnd() { run "${FUNCNAME[0]}"; }

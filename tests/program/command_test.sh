@@ -1451,12 +1451,7 @@ MessagesAreText() {
 
 # The letters and decimals of a language make no difference.
 SameInEveryLocale() { # slow
-  mkdir "$scratch/locales"
-  localedef -i tr_TR -f UTF-8 "$scratch/locales/tr_TR.UTF-8" >/dev/null 2>&1 &&
-    localedef -i de_DE -f UTF-8 "$scratch/locales/de_DE.UTF-8" >/dev/null 2>&1 ||
-    { echo "skipped: locales cannot be made here"; exit 77; }
-  export LOCPATH="$scratch/locales"
-  [ "$(LC_ALL=de_DE.UTF-8 locale decimal_point)" = , ] || fail "no German locale"
+  make_locales
   local format locale
   for format in text json csv; do
     answers solve "${steel[@]}" --half-width 5.5e-3 --format $format --profile profile

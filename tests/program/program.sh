@@ -64,6 +64,16 @@ interrupt() {
   wait $pid || status=$?
 }
 
+# Turkish and German locales, as tr_TR.UTF-8 and de_DE.UTF-8; skipped where they cannot be made.
+make_locales() {
+  export LOCPATH="$scratch/locales"
+  mkdir "$LOCPATH"
+  localedef -i tr_TR -f UTF-8 "$LOCPATH/tr_TR.UTF-8" >/dev/null 2>&1 &&
+    localedef -i de_DE -f UTF-8 "$LOCPATH/de_DE.UTF-8" >/dev/null 2>&1 ||
+    { echo "skipped: locales cannot be made here"; exit 77; }
+  [ "$(LC_ALL=de_DE.UTF-8 locale decimal_point)" = , ] || fail "no German locale"
+}
+
 # As an unprivileged user, who may run but not write here.
 powerless() {
   if [ "$(id -u)" != 0 ]; then "$@"; else setpriv --reuid 65534 --regid 65534 --clear-groups "$@"; fi

@@ -513,6 +513,30 @@ ResumesNothingElse() {
   cmp some.csv results.csv || fail "other results: $(cat first)"
 }
 
+# Files, appended rows, descriptions and refusals are the same bytes in languages with other letters and decimals.
+SameInEveryLocale() { # slow
+  make_locales
+  code toml B-command-line.md >wheel.toml
+  printf '%s\n' id,traction,speed I,0.3,10.5 ı,-0.5, c,0.75,1.5 i,0.25,2e-3 >scenes.csv
+  local locale torn command=(sweep scenes.csv --config wheel.toml)
+  refuses 4 "1 of 4 rows have an error" "${command[@]}" --output all.csv --datapackage package.json
+  mv all.csv expected
+  mv package.json expected.json
+  refuses 2 "" sweep - <<<FRICTION,TRACTİON
+  mv err expected-err
+  for locale in tr_TR de_DE; do
+    LC_ALL=$locale.UTF-8 refuses 4 "1 of 4 rows have an error" "${command[@]}" --output all.csv --datapackage package.json
+    cmp all.csv expected && cmp package.json expected.json || fail "$locale makes a difference"
+    for torn in 0 100 2500 3300; do
+      head -c $torn expected >all.csv
+      LC_ALL=$locale.UTF-8 refuses 4 "1 of 4 rows have an error" "${command[@]}" --resume all.csv --datapackage package.json
+      cmp all.csv expected && cmp package.json expected.json || fail "$locale makes a difference to what follows byte $torn"
+    done
+    LC_ALL=$locale.UTF-8 refuses 2 "" sweep - <<<FRICTION,TRACTİON
+    cmp err expected-err || fail "$locale: $(cat err)"
+  done
+}
+
 # Any number of parts, also more than rows, and with empty lines among them.
 PartsJoinedAreTheWhole() {
   write_scenes 3

@@ -1,7 +1,10 @@
 // Numbers as text, read back.
 #include <cmath>
 #include <cstdio>
+#include <locale>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +39,31 @@ TEST(NumberText, RoundsAsPrintf) {
       std::snprintf(text, sizeof text, "%.*e", digits - 1, x);
       EXPECT_EQ(with_exponent(x, digits), text);
     }
+}
+
+// A program may set the decimals and groups of its user's language for all streams.
+TEST(NumberText, SameInEveryLocale) {
+  struct German : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const auto texts = [] {
+    return std::vector{shortest(1234.5), rounded(1234.5, 5), fixed(1234.5, 1),
+                       with_exponent(1234.5, 2), scientific(1234.5, 2)};
+  };
+  const auto by_stream = [] {
+    std::ostringstream stream;
+    stream << 1234.5;
+    return stream.str();
+  };
+  const std::vector<std::string> expected = texts();
+  const std::locale before = std::locale::global(std::locale(std::locale(), new German));
+  const std::vector<std::string> found = texts();
+  const std::string german = by_stream();
+  std::locale::global(before);
+  EXPECT_EQ(german, "1.234,5");
+  EXPECT_EQ(found, expected);
 }
 
 // In TeX a number has one digit before its point and the exponent that goes with that: mantissa and
