@@ -339,7 +339,7 @@ build/report.html: as := $(addprefix -M live=yes --include-after-body=,$(with_li
 build/report.html: $(with_live)
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
-    $(wildcard figures/measured/*.csv tests/*/*.cpp) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
+    $(wildcard figures/measured/*.csv tests/*/*.cpp tests/*/*.sh tests/*/*.py tests/*/CMakeLists.txt) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M date=,$(date)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
 	@mv $@.tmp $@

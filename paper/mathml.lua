@@ -119,7 +119,8 @@ local function written(tex, kind)
     :gsub('<mtable>(<mtr><mtd columnalign="right")', '<mtable class="aligned" displaystyle="true">%1')
   html = html:gsub('^<math display="inline" xmlns="[^"]*"', "<math") -- HTML needs neither
     :gsub('^<math display="block" xmlns="[^"]*"', '<math display="block"')
-  return settle_brackets(html, kind)
+    :gsub("<semantics>(.*)<annotation.*</semantics>", "%1"):gsub("^(<math[^>]*>)<mrow>(.*)</mrow></math>$", "%1%2</math>")
+  return (settle_brackets(html, kind):gsub('(<mo stretchy="%l+") form="%l+">([%(%)%[%]])', "%1>%2")) -- no other form
 end
 
 -- Half of a page's formulas have stood in it before.

@@ -38,8 +38,8 @@
 --   \value{key}, in prose also `key`{.value}          a computed number, from build/data/values.json
 --                                                     from speed.json if it rests on a time, or
 --                                                     study-values.json, or evaluations.json
---   *Checked by* `Suite.Name`, ...                    the tests of what stands above; in a chapter whose
---                                                     title is of class .tests they stand folded below it
+--   *Checked by* `Suite.Name`, ...                    the tests of what stands above, which stand folded
+--                                                     below it where it names them first
 --   abstract-short: ...                               the abstract of the short version
 --
 -- A mistake (an unknown reference, a missing file, ...) ends the run, each with the place and the
@@ -661,7 +661,8 @@ local function corners(path)
 end
 
 --- A path of lines by the steps from corner to corner, in hundredths as before, which are shorter. Between
---- numbers stands what keeps them apart: nothing before a sign, or before a second point.
+--- numbers stands what keeps them apart: nothing before a sign, or before a second point. A path that is
+--- closed stays so.
 local function relative(path)
   local out, last = {}, ""
   local function add(hundredths)
@@ -680,7 +681,7 @@ local function relative(path)
     add(point.y - y)
     x, y = point.x, point.y
   end
-  return table.concat(out)
+  return table.concat(out) .. (path:find("Z") and "z" or "")
 end
 
 --- The drawing without marks that it does not use and without spaces between its parts, its paths by
@@ -694,7 +695,8 @@ local function shortened(svg)
       return not svg:find("#" .. mark .. "['\"]") and "" or nil
     end)
   end
-  return (svg:gsub("%sd='(M[%d%.,%sML-]*)'", function(path) return " d='" .. relative(path) .. "'" end)
+  return (svg:gsub("<polygon([^>]*)%spoints = '([^'>]*)'%s*/>", "<path%1 d='M%2Z'/>")
+    :gsub("%sd='(M[%d%.,%sML-]*)Z?%s*'", function(path) return " d='" .. relative(path) .. "'" end)
     :gsub('<tspan font%-family="sans%-serif" >', "<tspan>"):gsub(">%s*\n%s*<", "><")
     :gsub("<g [^>]*></g>", ""):gsub("<title>[%w_]+_plot_%d+%a?</title>", "")) -- gnuplot's own name for a curve
 end
@@ -711,7 +713,7 @@ local common = 'fill="none" stroke="currentColor" stroke-width="0.8" stroke-line
   .. 'stroke-linejoin="round" font-family="sans-serif" font-size="17"'
 
 local function without_the_common(svg)
-  return (svg:gsub('<g fill="none" color="currentColor" stroke="currentColor"', "<g")
+  return (svg:gsub('<g fill="none" stroke="currentColor"', "<g")
     :gsub(' stroke%-linecap="round" stroke%-linejoin="round"', ""):gsub('<g stroke%-width="0.80">', "<g>")
     :gsub(' font%-family="sans%-serif"', ""):gsub(' font%-size="17.00"', "")
     :gsub('<rect[^>]*fill="none"/>', "")
@@ -739,11 +741,10 @@ local function inline_svg(svg, name, alternative)
     :gsub("([\"'])black([\"'])", "%1#000000%2")
     :gsub("([\"'])#(%x%x%x%x%x%x)([\"'])", function(a, hex, b) return a .. colour(hex) .. b end)
     :gsub("(%sid=[\"'])", "%1" .. name .. "-"):gsub("(url%(#)", "%1" .. name .. "-")
-    :gsub("(href=[\"']#)", "%1" .. name .. "-")
+    :gsub("(xlink:href=[\"']#)", "%1" .. name .. "-"):gsub("xlink:href=", "href="):gsub(" color=[\"']currentColor[\"']", "")
   local box = svg:match("viewBox=\"[^\"]*\"") or ""
   return (without_the_common(svg):gsub("^<svg.->", function()
-    return string.format('<svg xmlns="http://www.w3.org/2000/svg" '
-      .. 'xmlns:xlink="http://www.w3.org/1999/xlink" %s %s role="img" aria-label="%s">',
+    return string.format('<svg xmlns="http://www.w3.org/2000/svg" %s %s role="img" aria-label="%s">',
       box, common, escape(alternative))
   end))
 end
@@ -835,10 +836,6 @@ local function written_table(content)
   content.identifier = ""
   content.caption = { long = {} }
   if not cards or not id then return framed_table(content, id, trimmed(text)) end
-  content = content:walk({ Code = function(inline)
-    local html = breakable(inline.text)
-    if inline.text:match("^%u%w+%.%u%w+$") then return pandoc.RawInline("html", "<code>" .. html .. "</code>") end
-  end })
   name_columns(id, content.head.rows[1].cells:map(function(cell) return cell.contents end))
   return framed_table(content, id, trimmed(text), "table cards")
 end
@@ -1103,7 +1100,7 @@ local function joined(pieces_using)
   return table.concat(out, ", ")
 end
 
-local function where(piece) return string.format("<span>%s:%d</span>", escape(piece.source), piece.line) end
+local function where(piece) return string.format("%s:%d", escape(piece.source), piece.line) end
 
 local function chunk_box(piece, open)
   local chunk, notes, parts = chunks[piece.id], {}, ""
@@ -1123,9 +1120,9 @@ local function chunk_box(piece, open)
       step(chunk.pieces[piece.part + 1], "↓", "next part"))
   end
   local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
-  return raw(string.format('<details class="%s" id="%s"%s>\n<summary class="chunk-head">'
-    .. '<span class="chunk-title">%s</span>%s</summary>\n<div class="code">%s</div>\n'
-    .. '<div class="chunk-notes">%s</div>\n</details>', class, escape(anchor(piece)), open and ' open=""' or "",
+  return raw(string.format('<details class="%s" id="%s"%s>\n<summary>'
+    .. '<i>%s</i>%s</summary>\n<div class="code">%s</div>\n'
+    .. '<p>%s</p>\n</details>', class, escape(anchor(piece)), open and ' open=""' or "",
     piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -1164,6 +1161,8 @@ local function find_evidence(blocks)
   end
 end
 
+local tests_led_to = {}
+
 local function fill_equations(blocks)
   local rows = {}
   of_paper:sort(function(a, b)
@@ -1172,7 +1171,8 @@ local function fill_equations(blocks)
   end)
   for _, item in ipairs(of_paper) do
     local tests = (item.tests or pandoc.List()):map(function(name)
-      return "<code>" .. breakable(name) .. "</code>"
+      tests_led_to[name] = true
+      return link("test:" .. name, "<code>" .. breakable(name) .. "</code>")
     end)
     table.insert(rows, string.format("<tr><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td class=\"checked\">%s</td></tr>",
       escape(item.numbers), referred(item.id, true), item.status,
@@ -1226,16 +1226,6 @@ local function checked_by(paragraph)
   if names_tests(paragraph) then return pandoc.Div({ paragraph }, pandoc.Attr("", { "checked" })) end
 end
 
---- A name that may be longer than a phone's line, or the margin's, may be broken before a capital.
-local function break_names(div)
-  if not div.classes:includes("checked") then return nil end
-  return div:walk({ Code = function(inline)
-    return #inline.text > 36 and pandoc.RawInline("html", "<code>" .. breakable(inline.text) .. "</code>") or nil
-  end })
-end
-
-local tests_led_to = {}
-
 function led_to_evidence(inlines)
   local out = pandoc.List()
   for _, inline in ipairs(inlines) do
@@ -1265,50 +1255,97 @@ local function listing(id, title, note, html)
     .. "</details>", escape(id), title, note, table.concat(html, "\n")))
 end
 
---- Where the tests in C++ begin: name -> { file, its text from there on }.
+--- Where the tests begin: name -> { file, head }. In C++ a test is TEST(Suite, Name); in the script of its
+--- suite it is the function Name, or the one of this name in Python that it runs; the others are whole
+--- scripts, whole programs for a fuzzer, or commands for CMake.
 local function found_tests()
   local found = {}
-  local done, lines = pcall(pandoc.pipe, "grep", { "-rsE", "--include=*.cpp", "^TEST\\(\\w+, \\w+\\)", "tests" }, "")
-  for file, suite, name in (done and lines or ""):gmatch("([^\n:]+):TEST%((%w+), (%w+)%)") do
+  local function grep(expression, files)
+    local done, lines = pcall(pandoc.pipe, "grep", { "-rsE", "--include=" .. files, expression, "tests" }, "")
+    return done and lines or ""
+  end
+  for file, suite, name in grep("^TEST\\(\\w+, \\w+\\)", "*.cpp"):gmatch("([^\n:]+):TEST%((%w+), (%w+)%)") do
     found[suite .. "." .. name] = { file = file, head = "TEST(" .. suite .. ", " .. name .. ")" }
+  end
+  for file, name in grep("^int LLVMFuzzerTestOneInput", "*.cpp"):gmatch("([^\n:]+/(%l+)%.cpp):") do
+    found["Fuzz." .. name:gsub("^%l", string.upper)] = { file = file }
+  end
+  for file, head, name in grep("^ *add_test\\(NAME \\w+\\.\\w+", "CMakeLists.txt"):gmatch("([^\n:]+): *(add_test%(NAME (%w+%.%w+))") do
+    found[name] = { file = file, head = head }
+  end
+  local script = "([^\n:]+)/CMakeLists.txt: *thermoroll_script_tests?%((%w+)([%w.]*)%S* %S+ ([%w_-]+)%.sh"
+  for folder, suite, name, file in grep("^ *thermoroll_script_tests?\\(", "CMakeLists.txt"):gmatch(script) do
+    file = folder .. "/" .. file
+    if #name > 1 then found[suite .. name] = { file = file .. ".sh" } end
+    for case, body in (read(file .. ".sh") or ""):gmatch("%f[^\n](%u%w*)%(%) {([^\n]*)") do
+      local in_python = body:find('run "${FUNCNAME[0]}"', 1, true)
+      found[suite .. "." .. case] = { file = file .. (in_python and ".py" or ".sh"),
+                                      head = in_python and "def " .. case .. "(" or case .. "() {" }
+    end
   end
   return found
 end
 
---- A test as it stands in its file, folded, with the command that runs it.
-local function test_box(name, test)
-  local text = read(test.file)
-  local from = text:find("\n" .. test.head, 1, true) or 0
-  local lines = { "<i>// ctest --test-dir build/release -R " .. name .. "</i>" }
-  for line in (text:sub(from + 1):match("^(.-\n})\n") .. "\n"):gmatch("(.-)\n") do table.insert(lines, escape(line)) end
-  return listing("test:" .. name, breakable(name), escape(test.file), lines)
+--- A test as it stands in its file, with what is said above it.
+local function test_text(test)
+  local text, comment = "\n" .. read(test.file) .. "\n", ""
+  if not test.head then return (text:gsub("^\n#![^\n]*", ""):gsub("^\n+", "")) end
+  text = text:gsub("\n +add_test", "\nadd_test")
+  local from = text:find("\n" .. test.head, 1, true)
+  local above, test_itself = text:sub(1, from), text:sub(from + 1)
+  repeat
+    local line = above:match("\n([/#][^!][^\n]*\n)$") or ""
+    above, comment = above:sub(1, -#line - 1), line .. comment
+  until line == ""
+  local ends = { py = "^(.-\n)\n\n", txt = "^(.-%)\n)", cpp = "^(.-\n}\n)", sh = "^(.-\n}\n)" }
+  return comment .. (test_itself:match("^[^\n]*}\n") or test_itself:match(ends[test.file:match("%w+$")]))
 end
 
---- In the chapters of class .tests each test stands folded below the paragraph that names it first.
-local function fold_tests(blocks)
-  local out, folds, tests = pandoc.List(), false, nil
-  for _, block in ipairs(blocks) do
-    local boxes = pandoc.List()
-    if block.t == "Header" and block.level == 2 then folds = block.classes:includes("tests") end
-    if folds and block.t == "Div" and block.classes:includes("checked") then
-      tests = tests or found_tests()
-      block = pandoc.walk_block(block, { Code = function(inline)
-        local test = tests[inline.text]
-        if not test then return nil end
-        if not test.told then boxes:insert(test_box(inline.text, test)) end
-        test.told = true
-        return pandoc.Link({ inline }, "#test:" .. inline.text)
-      end })
-    end
-    out:insert(block)
-    out:extend(boxes)
+--- Tests, each below the command that runs it; a file is named where it begins.
+local function listed_tests(names, tests)
+  local lines, file = {}, nil
+  for _, name in ipairs(names) do
+    local test = tests[name]
+    local mark = test.file:find("%.cpp$") and "//" or "#"
+    local where_it_is = test.file ~= file and test.file .. ": " or ""
+    file = test.file
+    table.insert(lines, string.format('<i id="test:%s">%s %sctest --test-dir build/release -R %s</i>', name, mark, where_it_is, name))
+    table.insert(lines, (escape(test_text(test)):gsub("\n+$", "\n"):gsub("&quot;", '"'):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")))
   end
+  return '<div class="code"><pre><code>' .. table.concat(lines, "\n") .. "</code></pre></div>"
+end
+
+--- Each test stands folded where a paragraph names it first; where it is named again, there or in a table, a
+--- link leads to it.
+local function fold_tests(blocks)
+  local tests = found_tests()
+  local function fold(div)
+    if not div.classes:includes("checked") then return nil end
+    local names = pandoc.List()
+    local inlines = div.content[1]:walk({ Code = function(inline)
+      local name, test = inline.text, tests[inline.text]
+      if test and not test.told then names:insert(name) end
+      local html = "<code>" .. (#name > 36 and breakable(name) or escape(name)) .. "</code>"
+      local led = test and test.told
+      if test then test.told = true end
+      return pandoc.RawInline("html", led and link("test:" .. name, html) or html)
+    end }).content
+    if #names == 0 then return pandoc.Div({ pandoc.Plain(inlines) }, div.attr) end
+    return { raw('<details class="checked"><summary>'), pandoc.Plain(inlines),
+             raw("</summary>" .. listed_tests(names, tests) .. "</details>") }
+  end
+  local function lead(inline)
+    local test, html = tests[inline.text], "<code>" .. breakable(inline.text) .. "</code>"
+    if test then return pandoc.RawInline("html", test.told and link("test:" .. inline.text, html) or html) end
+  end
+  blocks = pandoc.Pandoc(blocks):walk({ Div = fold }).blocks
+  blocks = pandoc.Pandoc(blocks):walk({ Table = function(rows) return rows:walk({ Code = lead }) end }).blocks
   for name in pairs(tests_led_to) do
-    if not in_report and not (tests and tests[name] and tests[name].told) then
+    if not in_report and not (tests[name] and tests[name].told) then
       complain(name, "the test %s is led to, but not folded into a chapter", name)
     end
   end
-  return out
+  return blocks
 end
 
 -- 9. Back matter: bibliography, chunks, files, scripts, colophon -----------------------------------
@@ -1357,11 +1394,12 @@ end
 --- The chunks with their lines in colours. References stay as they are, and the tangler takes the lines
 --- as it takes the code.
 local function coloured_chunks()
+  local function only_comments(line) return (line:gsub("</?[bu]>", "")) end
   local coloured = {}
   for name, parts in pairs(collected) do
     coloured[name] = pandoc.List(parts):map(function(piece)
       local copy = { code = {} }
-      for k, line in ipairs(piece.code) do copy.code[k] = tangle.reference(line) and line or piece.html[k] end
+      for k, line in ipairs(piece.code) do copy.code[k] = tangle.reference(line) and line or only_comments(piece.html[k]) end
       return setmetatable(copy, { __index = piece })
     end)
   end
@@ -1538,7 +1576,7 @@ function Pandoc(document)
   if not document.meta.paper then highlight_all(draft and keep_draft(document) or pieces) end
   if not draft then find_evidence(document.blocks) end
   document.blocks = fold_tests(fill_equations(document.blocks))
-  local body = { Div = break_names, CodeBlock = code_block } -- in one walk, which is faster than one for each
+  local body = { CodeBlock = code_block } -- in one walk, which is faster than one for each
   for kind, filter in pairs(prose) do body[kind] = filter end
   document = document:walk(body)
   if draft then

@@ -410,9 +410,9 @@ def PolicyThatRefuses():
     for policy, file_name in (("script-src 'unsafe-inline' blob:", PAGE), ("script-src 'none'", "build/report.html")):
         with open(file_name, encoding="utf-8") as file:
             page = file.read()
-        assert page.count(script) == 1
+        assert page.index(script) < page.index("<body")  # this test is in the page, too
         with open(FOLDER.name + "/refusing.html", "w", encoding="utf-8") as file:
-            file.write(page.replace(script, policy))
+            file.write(page.replace(script, policy, 1))
         with Browser() as browser:
             browser.open("file://" + FOLDER.name + "/refusing.html")
             if "inline" in policy:
