@@ -185,7 +185,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
     const double least = part_with_crossing_heat(scene, n) * largest;
-    left.setConstant(std::max(flat ? 0 : left.head(compared).maxCoeff(), least));
+    const double tails = flat ? 0.2 * now / (n * n) : left.head(compared).maxCoeff();
+    left.setConstant(std::max(tails, least));
   }
   return {value, change, left + rounding(given, slope, scale)};
 }

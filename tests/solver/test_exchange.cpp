@@ -569,6 +569,20 @@ TEST(Exchange, ErrorsHoldBeforeLayersAreResolved) {
   }
 }
 
+// In full slip of slow bodies 60 and 120 unknowns agree by chance on the largest temperature. Its
+// error was twice the estimate here.
+TEST(Exchange, AgreementByChanceIsNotBelieved) {
+  const Scene x{0.508831, 0.0162503, 3.54332, {0.885507, 22.6794, 0.0966807}};
+  const Prescribed creep{Quantity::creep, 0.31932};
+  const CoupledSolution fine = solve_coupled(x, {Formulation::corrected, 1e-10}, creep);
+  for (const double tolerance : {1e-4, 1e-6, 6e-9}) {
+    const CoupledSolution y = solve_coupled(x, {Formulation::corrected, tolerance}, creep);
+    EXPECT_LE(std::abs(y.value(Quantity::max_temperature) - fine.value(Quantity::max_temperature)),
+              y.error(Quantity::max_temperature))
+        << tolerance;
+  }
+}
+
 // The flux into body 1 of the references, at three places where the bodies stick and five where
 // they slip. They are of order 0.1, to which the tolerance of 1e-6 is relative. The first pair has
 // kernels with what crosses in them.
