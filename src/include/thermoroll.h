@@ -102,7 +102,7 @@ struct thermoroll_values {
   double creep_constant, creep;                ///< C; xi*, negative when braking
   double load_ratio, gamma0;                   ///< kappa; gamma0
   double heat_integral;                        ///< the integral of v* p*
-  double max_temperature, max_temperature_at;  ///< the largest T* on the surface; s there
+  double max_temperature, max_temperature_at;  ///< the largest T* in the contact; s there
   double eccentricity;                         ///< of the contact's centre from the axis
   double heat_1, heat_2;  ///< the heat that flows into the half-space; into the roller
   double traction_limit, creep_at_traction_limit;  ///< of a prescribed traction with a law, or NaN

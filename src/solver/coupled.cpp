@@ -212,7 +212,9 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   const auto n = static_cast<int>(level.h.size());
   CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
                     level.h, level.violations, trace};
-  x.error(max_temperature_at) = level.at.slip * std::sqrt(found.error(max_temperature));
+  const bool where_it_sticks = found.value(max_temperature_at) < level.at.c0();
+  x.error(max_temperature_at) =
+      where_it_sticks ? level.at.stick : level.at.slip * std::sqrt(found.error(max_temperature));
   if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
   if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);

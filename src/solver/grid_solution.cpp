@@ -16,6 +16,36 @@ using enum Quantity;
 
 namespace {
 
+ArrayXd conducted_upstream(const ContactGrid& grid, const VectorXd& h) {
+  const Nodes& z = grid.nodes;
+  const Conduction conduction(grid.scene, !grid.crossing);
+  const VectorXd smooth = without_ripples(grid.scene, h);
+  return surface_temperature(z.zones, conduction, smooth, z.zones.c0() - z.d, grid.rules.fine);
+}
+
+VectorXd stick_zone_temperature(const ContactGrid& grid, const VectorXd& h) {
+  const Index m = grid.nodes.d.size();
+  VectorXd values = heat_share(grid.scene) * conducted_upstream(grid, h);
+  values += grid.thermal.bulk.temperature.tail(m);
+  if (grid.crossing) values += grid.crossing->temperature.bottomLeftCorner(m, h.size()) * h;
+  values.array() += std::abs(grid.scene.bulk_difference);
+  return to_legendre(grid.rules.stick) * values;
+}
+
+double place_on_stick_zone(const ContactGrid& grid, double y) {
+  const VectorXd distance = to_legendre(grid.rules.stick) * grid.nodes.d.matrix();
+  const auto polynomials = legendre(ArrayXd::Constant(1, y), distance.size());
+  return grid.nodes.zones.c0() - polynomials.row(0).dot(distance);
+}
+
+void compare_with_stick_zone(Results& value, const ContactGrid& grid, const VectorXd& h) {
+  const HottestPoint top = largest_of_series(stick_zone_temperature(grid, h));
+  const double hottest = top.value - std::abs(grid.scene.bulk_difference);
+  if (hottest <= value(max_temperature)) return;
+  value(max_temperature) = hottest;
+  value(max_temperature_at) = place_on_stick_zone(grid, top.y);
+}
+
 Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   const ZoneLengths& at = found.at;
   const Resultants sum = resultants(grid, found.h);
@@ -26,6 +56,7 @@ Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   value << at.c0(), at.slip, sum.traction, sum.constant, creep, sum.kappa, sum.gamma0, heat,
       heat_share(grid.scene) * found.peak.value - std::abs(grid.scene.bulk_difference),
       at.c0() + at.slip * top.t(), 0;
+  if (grid.bulk && at.stick > 0) compare_with_stick_zone(value, grid, found.h);
   return value;
 }
 

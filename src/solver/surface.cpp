@@ -219,6 +219,13 @@ HottestPoint search(const Temperature& temperature) {
   return top;
 }
 
+HottestPoint largest_of_series(const VectorXd& series) {
+  return search([&](double y) {
+    const auto polynomials = legendre(ArrayXd::Constant(1, y), series.size());
+    return TemperatureAndSlope{polynomials.row(0).dot(series), 0};
+  });
+}
+
 HottestPoint find_hottest(double slip, const Conduction& conduction, const VectorXd& h,
                           const HottestPoint& near, const GaussLegendre& rule,
                           const VectorXd& more) {
@@ -227,7 +234,7 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Vecto
     return with_series(own, slip, place, more);
   };
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
-         hottest = 0;
+         hottest = more.size() > 0 ? temperature(-1).value : 0;
   for (int step = 0;; ++step) {
     const SlipPoint at(1 + y, 1 - y);
     const TemperatureAndSlope now = temperature(y);

@@ -47,6 +47,9 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Eigen
                           const HottestPoint& near, const GaussLegendre& rule,
                           const Eigen::VectorXd& more = {});
 
+/// The largest value of a Legendre series that is positive somewhere, to 1.5e-5 in y.
+HottestPoint largest_of_series(const Eigen::VectorXd& series);
+
 SmoothFlux smooth_flux(const Carter& c);
 SmoothFlux smooth_flux(const CoupledSolution& x);
 

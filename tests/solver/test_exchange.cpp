@@ -583,6 +583,42 @@ TEST(Exchange, AgreementByChanceIsNotBelieved) {
   }
 }
 
+// A warm roller heats the contact where it sticks, and little slip heats it less. The largest
+// temperature is then the largest of the curve along the contact, whose error is that of the
+// solution; the first scene was off by 1.5 % when only the slip zone was searched. In the last, the
+// roller is colder.
+TEST(Exchange, TheStickZoneMayBeHottest) {
+  struct Given {
+    Scene scene;
+    double bulk_difference, traction;
+    bool sticks;
+  };
+  const Given all[] = {{{0.3, 1, 0.001, {0.2, 0.001, 30}}, 0.1, 0.05, true},
+                       {{0.3, 1, 0.001, {5, 0.001, 30}}, 0.1, 0.05, true},
+                       {{0.3, 1, 0.001, {5, 0.001, 0.03}}, 0.1, 0.05, false},
+                       {{0.3, 1, 0.001, {1, 0.001}}, 0.1, 0.05, false},
+                       {{0.3, 1, 0.001, {0.2, 0.001, 30}}, -0.1, 0.002, false}};
+  for (const auto& [scene, bulk_difference, traction, sticks] : all) {
+    Scene x = scene;
+    x.bulk_difference = bulk_difference;
+    const Solution y =
+        solve(x, {Quantity::traction, traction}, {Formulation::corrected, 1e-6, Method::coupled});
+    const double hottest = y.value(Quantity::max_temperature),
+                 place = y.value(Quantity::max_temperature_at),
+                 border = y.value(Quantity::stick_slip_border);
+    EXPECT_EQ(place < border, sticks) << bulk_difference;
+    std::vector<double> at{place};
+    for (int i = 0; i <= 200; ++i) at.push_back(-1 + 0.01 * i + (i == 0 ? 1e-9 : 0));
+    for (const CurvePoint& point : temperature_curve(y, at, 0).points) {
+      const double error = (*y.error)(Quantity::max_temperature) + *point.error;
+      EXPECT_LE(point.temperature, hottest + error) << point.s;
+      if (point.s == place) {
+        EXPECT_NEAR(point.temperature, hottest, error);
+      }
+    }
+  }
+}
+
 // The flux into body 1 of the references, at three places where the bodies stick and five where
 // they slip. They are of order 0.1, to which the tolerance of 1e-6 is relative. The first pair has
 // kernels with what crosses in them.

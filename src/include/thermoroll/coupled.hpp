@@ -38,7 +38,7 @@ enum class Quantity {
   load_ratio,          ///< kappa = P_H / P, @eq:kappa
   gamma0,              ///< gamma0 of @eq:pressure-conditions
   heat_integral,       ///< the integral of v* p*
-  max_temperature,     ///< the largest T* on the surface
+  max_temperature,     ///< the largest T* in the contact
   max_temperature_at,  ///< s there
   eccentricity         ///< pi gamma0 / (2 kappa), of the contact's centre from the axis
 };

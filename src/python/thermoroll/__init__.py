@@ -189,7 +189,7 @@ class Values:
     load_ratio: NDArray  #: kappa
     gamma0: NDArray  #: gamma0
     heat_integral: NDArray  #: the integral of v* p*
-    max_temperature: NDArray  #: the largest T* on the surface
+    max_temperature: NDArray  #: the largest T* in the contact
     max_temperature_at: NDArray  #: s there
     eccentricity: NDArray  #: of the contact's centre from the axis
     heat_1: NDArray  #: the heat that flows into the half-space
