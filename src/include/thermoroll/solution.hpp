@@ -84,7 +84,7 @@ struct FoundInSi {
   PhysicalResults value;
   std::optional<PhysicalResults> error;
   std::vector<std::string> notes{};
-  /// The largest temperature on the surface, degree C, if the bulk temperature is known. Its error
+  /// The largest temperature in the contact, degree C, if the bulk temperature is known. Its error
   /// is that of the rise.
   std::optional<double> contact_temperature_celsius{};
 };
