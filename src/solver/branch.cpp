@@ -33,7 +33,11 @@ GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from
   const auto& [scene, formulation, n, known, unused] = curve;
   if (rho < 1)
     return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho}, from);
-  if (known == 0) curve.all_slips = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
+  if (known == 0) {
+    GridSolution end = next_to_full_slip(scene, formulation, n);
+    curve.all_slips = end.value(Quantity::creep);
+    if (rho == 1) return end;
+  }
   const bool slips = from.at.slip == 2;
   return solve_slipping_grid(curve.slipping, n, known / (2 - rho), slips ? from : GridSolution{});
 }

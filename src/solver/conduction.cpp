@@ -48,7 +48,7 @@ std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zet
 }
 
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) {
-  if (!c.pair) return (zeta < 300).select((-2 * zeta).exp(), 0);  // not below what a number holds
+  if (!c.pair) return (-2 * zeta.min(300)).exp();  // not below what a number holds
   return zeta.unaryExpr([&](double at) {
     const double z = at / c.peclet, zeta_1 = c.pair->peclet * z, m = fast_kernels(zeta_1).m_down;
     const Remainders r = (*c.pair)(z);

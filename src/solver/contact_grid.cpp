@@ -113,9 +113,9 @@ Lost lost_friction(const ContactGrid& grid, const VectorXd& h) {
 }
 
 /// Add f S[B] to the brackets v of the stick zone, with p-hat there; phi at the stick nodes.
-ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const ArrayXd& p, ArrayXd& v) {
+ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const LawAtNodes& at,
+                     const ArrayXd& p, ArrayXd& v) {
   const Nodes& z = grid.nodes;
-  const LawAtNodes at = law_at_nodes(grid, 1, h);
   const ArrayXd lost = (1 - at.phi) * at.pressure;
   ArrayXd temperature = grid.thermal.temperature.bottomRows(z.d.size()) * h;
   if (grid.hot->bulk.size() > 0) temperature += grid.hot->bulk.tail(z.d.size());
@@ -298,12 +298,15 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   if (grid.bulk) p += grid.thermal.bulk.pressure.tail(m).array();
   ArrayXd pressure(m + n), slip(m + n), s(m + n), phi;
   if (grid.hot) {
+    const LawAtNodes at = law_at_nodes(grid, 1, h);
     phi.resize(m + n);
-    const ArrayXd on_stick = law_on_stick(grid, h, p, v);
-    phi << on_stick.reverse(), law_at_nodes(grid, 1, h).phi;
+    phi << law_on_stick(grid, h, at, p, v).reverse(), at.phi;
+    slip.tail(n) = at.slip;
+  } else {
+    slip.tail(n) = slip_factor(grid, 1, h);
   }
   pressure << p.reverse(), tractions.p0 + (tractions.p * h).array();
-  slip << v.reverse(), slip_factor(grid, 1, h);
+  slip.head(m) = v.reverse();
   s << z.r.reverse(), z.s;
   return {friction, z.zones.c0(), kappa, s, pressure, slip, phi};
 }

@@ -54,7 +54,8 @@ Results estimate(const Results& change, double now, double before, int n, bool s
       std::min(product, std::clamp(now / before, part / 4, part)) * change(max_temperature);
   const double largest = error.head(compared).maxCoeff();
   error = error.max((n < 30 ? 1 : 0.3) * largest);
-  error = error.max(unresolved(now, n, slow, slow ? 200 : 30)) + rules + 1e-14 * size;
+  error = error.max(unresolved(now, n, slow, n < 30 ? 20 : 10, slow ? 200 : 30));
+  error += rules + 1e-14 * size;
   error(max_temperature) += 2 * rules;
   return error;
 }
@@ -76,10 +77,10 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
 }
 
 double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now) {
-  const double n = static_cast<double>(now.size());
-  return std::max(unresolved(tail(now), static_cast<int>(n), false, 1e3),
-                  part_with_law(before, now) * change.head(compared).maxCoeff()) +
-         4 * std::pow(24 + n, -6) + 1e-14 * n;
+  const auto n = static_cast<int>(now.size());
+  const double of_tail = unresolved(tail(now), n, false, n < 30 ? 7 : 10, 1e3);
+  const double of_change = part_with_law(before, now) * change.head(compared).maxCoeff();
+  return std::max(of_tail, of_change) + 4 * std::pow(24 + n, -6) + 1e-14 * n;
 }
 
 bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
@@ -153,10 +154,15 @@ struct Refinement {
   double worst() const { return error.head(compared).maxCoeff(); }
 };
 
-double part_with_crossing_heat(const Scene& scene, int n) {
+/// By the largest change since the previous grid and the tail of the coefficients.
+double error_of_crossing_heat(const Scene& scene, int n, double change, double tail) {
   const double speed = std::max(scene.peclet, scene.roller.peclet);
-  if (n >= 48 && std::pow(n, 4) >= 1000 * speed) return 0.5;
-  return scene.bulk_difference != 0 ? 4 : 2;
+  const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * speed) : 0;
+  const bool bulk = scene.bulk_difference != 0;
+  if (resolved < 1) return (bulk ? 4 : 2) * change;
+  if (resolved >= 10 && !bulk) return 0.4 * change;
+  const double by_tail = resolved >= 10 ? std::max(0.1 * change, tail / (n * n)) : change;
+  return std::min(0.5 * change, by_tail);
 }
 
 /// The unknowns of the first grid whose error can be told.
@@ -176,7 +182,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : slow ? 0.004 : 0.02;
+  const double slowly = n <= 200 ? 0.01 : 0.004;
+  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : slow ? slowly : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   Results left = estimate(change, now, then, n, slow);
@@ -184,7 +191,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left.setConstant(estimate_with_law(change, last.h, level.h));
   if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
-    const double least = part_with_crossing_heat(scene, n) * largest;
+    const double least = error_of_crossing_heat(scene, n, largest, now);
     const double tails = flat ? 0.2 * now / (n * n) : left.head(compared).maxCoeff();
     left.setConstant(std::max(tails, least));
   }

@@ -207,11 +207,11 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
   return level;
 }
 
-double unresolved(double tail, int n, bool slow, double in_layer) {
+double unresolved(double tail, int n, bool slow, double of_integrals, double in_layer) {
   const bool early = n <= 100 && (slow || n >= 30);
   const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
   const double layer = tail > large ? std::min(in_layer * tail, 1.0) : 0;
-  return tail * std::max((n < 30 ? 20.0 : 10.0) / n / n, layer);
+  return tail * std::max(of_integrals / n / n, layer);
 }
 
 double tail(const VectorXd& h) {
@@ -226,7 +226,8 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
 }
 
 int unknowns_after(int n) {
-  if (n < 60) return n < 36 ? 3 * n / 2 : 60;
+  if (n < 36) return 3 * n / 2;
+  if (n < 60) return std::min(n + 12, 60);
   return std::min(2 * n, most_unknowns);
 }
 
@@ -239,7 +240,7 @@ double part_with_law(const VectorXd& before, const VectorXd& now) {
 
 bool decays_slowly(const VectorXd& before, const VectorXd& now) {
   const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
-  return tail(now) > std::max(1e-6, std::pow(finer, 4) * tail(before));
+  return tail(now) > std::max(1e-6, std::pow(finer, 3) * tail(before));
 }
 
 }  // namespace thermoroll

@@ -58,9 +58,9 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
 /// Size of the last quarter of the coefficients, relative to the largest.
 double tail(const Eigen::VectorXd& h);
 
-/// The error estimated from the tail of h on a grid of n unknowns; in a layer at most so many times
-/// its square. Slow if convergence is slow.
-double unresolved(double tail, int n, bool slow, double in_layer);
+/// The error estimated from the tail of h on a grid of n unknowns: so many times it over n^2, or in
+/// a layer so many times its square. Slow if convergence is slow.
+double unresolved(double tail, int n, bool slow, double of_integrals, double in_layer);
 
 /// With a law of friction, the part of a change since the previous grid that is counted as an
 /// error, by the coefficients of h on both grids; and the unknowns of the next grid.

@@ -80,6 +80,18 @@ void add_panels(Exponentials& sum, double from, double to, double first) {
   }
 }
 
+Exponentials ascending(const Exponentials& all) {
+  std::vector<std::pair<double, double>> sorted;
+  for (std::size_t i = 0; i < all.u.size(); ++i) sorted.emplace_back(all.u[i], all.w[i]);
+  std::sort(sorted.begin(), sorted.end());
+  Exponentials sum;
+  for (const auto& [u, w] : sorted) {
+    sum.u.push_back(u);
+    sum.w.push_back(w);
+  }
+  return sum;
+}
+
 /// From the lower and the higher 2 Pe and the conductivity of the faster body over the slower's.
 Exponentials upstream_exponentials(double low, double high, double ratio) {
   const double apart = high - low, middle = (low + high) / 2, square = ratio * ratio;
@@ -91,7 +103,7 @@ Exponentials upstream_exponentials(double low, double high, double ratio) {
   add_panels(sum, low, middle, at_low);
   add_panels(sum, high, middle, at_high);
   add_panels(sum, high, high * 0x1p28, at_high);
-  return sum;
+  return ascending(sum);
 }
 
 Exponentials downstream_exponentials(double low, double high) {
@@ -154,18 +166,47 @@ Remainders PairTable::operator()(double z) const {
   return sum;
 }
 
-/// exp(-u z) for each u (rows) and place of an octave (columns).
-void next_octave(Eigen::ArrayXXd& powers, const Exponentials& of, const Eigen::ArrayXd& z,
-                 int octave) {
-  const Eigen::Map<const Eigen::VectorXd> u(of.u.data(), static_cast<Eigen::Index>(of.u.size()));
-  if (octave % 8 > 0)
-    powers = powers.square();
-  else
-    powers = (-u * z.matrix().transpose()).array().max(-50).exp();
+/// The exponentials of eight octaves: exp(-u z) for each place of an octave (columns) and each u
+/// from a first one on that counts (rows), and the Taylor coefficients of the sum of those before.
+struct OctaveSums {
+  Eigen::Index first = 0;
+  Eigen::ArrayXXd powers{};
+  Eigen::Matrix<double, 3, 6> taylor{};
+};
+
+void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density,
+                 const Eigen::ArrayXd& z, int octave) {
+  const auto below = [&](double u) -> Eigen::Index {
+    return std::lower_bound(of.u.begin(), of.u.end(), u) - of.u.begin();
+  };
+  const Eigen::Index end = below(50 / z.minCoeff());
+  if (octave % 8 > 0) {
+    x.powers = x.powers.topRows(std::max<Eigen::Index>(end - x.first, 0)).square().eval();
+    return;
+  }
+  const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
+  x.first = below(0x1p-15 / z.maxCoeff());
+  x.powers = (-u.segment(x.first, end - x.first).matrix() * z.matrix().transpose()).array();
+  x.powers = x.powers.max(-50).exp();
+  Eigen::ArrayXd power = Eigen::ArrayXd::Ones(x.first);  // (-u)^k / k!
+  for (int k = 0; k < x.taylor.cols(); ++k) {
+    x.taylor.col(k) = density.leftCols(x.first) * power.matrix();
+    power *= -u.head(x.first) / (k + 1);
+  }
+}
+
+Densities sums_of(const OctaveSums& x, const Densities& density, const Eigen::ArrayXd& z) {
+  Densities all = density.middleCols(x.first, x.powers.rows()) * x.powers.matrix();
+  Eigen::ArrayXd power = Eigen::ArrayXd::Ones(z.size());
+  for (int k = 0; k < x.taylor.cols(); ++k) {
+    all += x.taylor.col(k) * power.matrix().transpose();
+    power *= z;
+  }
+  return all;
 }
 
 void add_octave(PairTable& table, const Densities& up, const Densities& down) {
-  const Eigen::MatrixXd to_powers = powers(cell_places()).inverse();
+  static const Eigen::MatrixXd to_powers = powers(cell_places()).inverse();
   for (const int half : {0, cell_nodes}) {
     Eigen::Matrix<double, cell_nodes, 5> values;
     values << up.middleCols<cell_nodes>(half).transpose(),
@@ -193,11 +234,11 @@ PairTable::PairTable(const Scene& pair, bool crossing)
     z(i) = place_in({first, cell_places()(i)});
     z(cell_nodes + i) = place_in({first + 1, cell_places()(i)});
   }
-  Eigen::ArrayXXd of_up, of_down;
+  OctaveSums of_up, of_down;
   for (int octave = 0; z(0) < 4; ++octave) {
-    next_octave(of_up, up, z, octave);
-    next_octave(of_down, down, z, octave);
-    add_octave(*this, up_density * of_up.matrix(), down_density * of_down.matrix());
+    next_octave(of_up, up, up_density, z, octave);
+    next_octave(of_down, down, down_density, z, octave);
+    add_octave(*this, sums_of(of_up, up_density, z), sums_of(of_down, down_density, z));
     z *= 2;
   }
 }

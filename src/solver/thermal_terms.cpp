@@ -15,32 +15,28 @@ using Eigen::RowVectorXd;
 
 namespace {
 
-/// N1 and N2 at the distances zeta (columns), increased by `further` (rows).
-void kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd& further,
-                     MatrixXd& n1, MatrixXd& n2) {
-  n1.resize(further.size(), zeta.size());
-  n2.resize(further.size(), zeta.size());
-  for (Index i = 0; i < zeta.size(); ++i) {
-    const std::vector<Kernels> all = at_distances(c, zeta(i) + further);
-    for (Index j = 0; j < further.size(); ++j) {
-      const Kernels& k = all[static_cast<std::size_t>(j)];
-      n1(j, i) = k.n1;
-      n2(j, i) = k.n2_up;
+/// N1, N2 and, if asked for, M at the distances zeta (columns), increased by `further` (rows).
+struct FurtherKernels {
+  MatrixXd n1, n2, m;
+};
+
+FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, const ArrayXd& further,
+                               bool temperature) {
+  const Index rows = further.size(), columns = zeta.size();
+  FurtherKernels k{MatrixXd(rows, columns), MatrixXd(rows, columns), {}};
+  if (temperature) k.m.resize(rows, columns);
+  for (Index i = 0; i < columns; ++i) {
+    const ArrayXd at = zeta(i) + further;
+    const std::vector<Kernels> all = at_distances(c, at);
+    const ArrayXd share = temperature ? upstream_shares(c, at) : ArrayXd();
+    for (Index j = 0; j < rows; ++j) {
+      const Kernels& here = all[static_cast<std::size_t>(j)];
+      k.n1(j, i) = here.n1;
+      k.n2(j, i) = here.n2_up;
+      if (temperature) k.m(j, i) = here.m_down * share(j);
     }
   }
-}
-
-/// M at the distances zeta (columns), increased by `further` (rows).
-MatrixXd temperatures_further(const Conduction& c, const GradedArray& zeta,
-                              const ArrayXd& further) {
-  MatrixXd m(further.size(), zeta.size());
-  for (Index i = 0; i < zeta.size(); ++i) {
-    const ArrayXd at = zeta(i) + further, share = upstream_shares(c, at);
-    const std::vector<Kernels> all = at_distances(c, at);
-    for (Index j = 0; j < further.size(); ++j)
-      m(j, i) = all[static_cast<std::size_t>(j)].m_down * share(j);
-  }
-  return m;
+  return k;
 }
 
 void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction& conduction,
@@ -50,14 +46,12 @@ void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction
   const ArrayXd gap = z.d / slip, further = peclet * (gap - gap.minCoeff());
   GradedRule graded;
   grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
-  MatrixXd n1, n2;
-  kernels_further(conduction, graded.zeta, further, n1, n2);
+  const bool law = scene.law != nullptr;
+  const FurtherKernels to_stick = kernels_further(conduction, graded.zeta, further, law);
   const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, thermal.f.cols());
-  thermal.f.bottomRows(m).noalias() = n1 * heat;
-  thermal.g.bottomRows(m).noalias() = n2 * heat;
-  if (scene.law)
-    thermal.temperature.bottomRows(m) =
-        temperatures_further(conduction, graded.zeta, further) * heat;
+  thermal.f.bottomRows(m).noalias() = to_stick.n1 * heat;
+  thermal.g.bottomRows(m).noalias() = to_stick.n2 * heat;
+  if (law) thermal.temperature.bottomRows(m).noalias() = to_stick.m * heat;
 }
 
 /// The kernels of two bodies contain the share of the strain.

@@ -639,7 +639,7 @@ TEST(Exchange, ProfilesHaveTheFluxIntoEitherBody) {
     const Scene scene = references[i].bodies.scene_with_bulk();
     SCOPED_TRACE(references[i].name);
     const Solution x = solve(scene, {Quantity::stick_slip_border, -0.1845},
-                             {Formulation::corrected, 1e-6, Method::coupled});
+                             {Formulation::corrected, 1e-7, Method::coupled});
     const CoupledSolution& found = std::get<CoupledSolution>(x.found);
     const ArrayXd exchanged = exchanged_heat_flux(found, s);
     const HeatFlux heat = coupled_flux(found);
