@@ -27,6 +27,7 @@
 --   : Caption {#tbl:x}                                below a table; {#tbl:x .cards} as below
 --   ::: {#tbl:x csv="x.csv"}                          a table from build/data/x.csv, or from another folder
 --                                                     that csv names; the paragraph in it is the caption;
+--                                                     in figures/measured/ what all rows share ends it;
 --                                                     .cards: on a phone its rows are cards; a cell of data
 --                                                     may lead to a chunk and to a folded test by
 --                                                     [code](<#chunk:Its title>) and [test](#test:A.B)
@@ -870,6 +871,22 @@ local function table_of_equations(div)
   return framed_table(raw(equations_table), div.identifier, utils.blocks_to_inlines(div.content), "table cards")
 end
 
+--- What is the same in all rows of measured data is told once, behind the caption: the machine, the day.
+local function take_constant_columns(head, rows)
+  local told = pandoc.List()
+  for column = #head, 1, -1 do
+    local value = rows[1][column]
+    if #rows > 1 and not rows:find_if(function(row) return row[column] ~= value end) then
+      told:insert(1, head[column] .. " " .. value)
+      for _, row in ipairs(rows) do row:remove(column) end
+      head:remove(column)
+    end
+  end
+  if #told == 0 then return {} end
+  local text = " " .. table.concat(told, ", "):gsub("^%l", string.upper) .. "."
+  return { pandoc.Str(text:gsub("%d+%-%d+%-%d+", function(day) return (day:gsub("-", "\u{2011}")) end)) } -- a day is one word
+end
+
 local led_to_evidence -- of section 8: inlines with links to chunks and tests -> inlines
 
 local function generated_table(div)
@@ -888,7 +905,8 @@ local function generated_table(div)
   end
   local rows = pandoc.List()
   for line in text:gmatch("[^\r\n]+") do rows:insert(csv_cells(line)) end
-  local head = rows:remove(1)
+  local head, told = rows:remove(1), {}
+  if path:find("measured/", 1, true) then told = take_constant_columns(head, rows) end
   local function is_numeric(column)
     return rows:find_if(function(row) return tonumber(row[column]) end)
       and not rows:find_if(function(row) return not tonumber(row[column]) and row[column] ~= "–" end)
@@ -899,14 +917,17 @@ local function generated_table(div)
   end
   local function inlines(cell)
     local text = (" " .. cell):gsub(" %-(%d)", " −%1"):sub(2) -- a minus, not a hyphen
-    if not tonumber(cell) then text = text:gsub("(%de)%-(%d)", "%1−%2") end -- which could end a line
-    return { pandoc.Plain(tonumber(cell) and { pandoc.Str(text) } or led_to_evidence(inlines_of(text))) }
+    text = text:gsub("%f[%w](%d[%d.]*)e(%-?)0*(%d+)%f[^%w]", function(factor, minus, exponent) -- 2e-3 is 2 · 10^−3^
+      return (factor == "1" and "" or factor .. "·") .. "10^" .. (minus == "" and "" or "−") .. exponent .. "^"
+    end)
+    local plainly = tonumber(cell) and not text:find("^", 1, true)
+    return { pandoc.Plain(plainly and { pandoc.Str(text) } or led_to_evidence(inlines_of(text))) }
   end
   local simple = pandoc.SimpleTable({}, aligns, widths, head:map(inlines),
                                     rows:map(function(row) return row:map(inlines) end))
   local cards = div.classes:includes("cards")
   if cards then name_columns(id, head:map(function(cell) return { pandoc.Plain(inlines_of(cell)) } end)) end
-  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content),
+  return framed_table(utils.from_simple_table(simple), id, utils.blocks_to_inlines(div.content) .. told,
                       cards and (is_numeric(1) and "table cards by-number" or "table cards"))
 end
 
@@ -1453,7 +1474,9 @@ local function colophon(meta)
   text = text .. "."
   local line = pandoc.Inlines({ pandoc.Str(text) })
   if meta.revision then line:insert(pandoc.Str(" Revision " .. utils.stringify(meta.revision) .. ".")) end
-  if meta.date then line:insert(pandoc.Str(" Date " .. utils.stringify(meta.date) .. ".")) end
+  if meta.date then
+    line:extend({ pandoc.Str(" Date "), pandoc.Span(utils.stringify(meta.date) .. ".", pandoc.Attr("", { "together" })) })
+  end
   if meta.tree then line:extend({ pandoc.Str(" Source tree "), pandoc.Code(utils.stringify(meta.tree)), pandoc.Str(".") }) end
   return pandoc.Para(line)
 end

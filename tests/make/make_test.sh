@@ -325,6 +325,8 @@ PrintIsShort() { # in the copy, for a release
   size=$(wc -c <build/report.pdf)
   [ "$pages" -gt 50 ] && [ "$pages" -lt 200 ] || fail "$pages pages"
   [ "$size" -lt 5000000 ] || fail "$size bytes"
+  pdftotext -f 1 -l 1 build/report.pdf "$work/first.txt"
+  grep -q 'Friction that falls with temperature' "$work/first.txt" && grep -q 'Certified results' "$work/first.txt" || fail "no contents on the first page"
   pages=$(grep -ac '/Type /Page$' build/paper.pdf)
   [ "$pages" -ge 10 ] && [ "$pages" -le 14 ] || fail "the short version has $pages pages"
   has_running_head report "$(grep -ac '/Type /Page$' build/report.pdf)"

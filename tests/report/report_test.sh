@@ -238,7 +238,7 @@ told() { sed -n 's|<[^>]*>||g; s|.*Woven by Pandoc.* '"$1"' \([^ ]*\)\..*|\1|p' 
 FrontLeadsOn() {
   local front revision=$(told Revision) date=$(told Date) target
   front=$(sed -n '/<header id="top">/,/<article/p' "$report")
-  [ -z "$revision" ] || [[ $front == *" · $date · revision $revision<"* && $date =~ ^20..-..-..$ ]] || fail "neither date nor revision: $front"
+  [ -z "$revision" ] || [[ $(sed 's/<[^>]*>//g' <<<"$front") == *" · $date · revision $revision"* && $date =~ ^20..-..-..$ ]] || fail "neither date nor revision: $front"
   for target in paper.html report.pdf paper.pdf '#tbl:claims' '#tbl:reference-values' '#index-of-files'; do
     [[ $front == *"href=\"$target\""* ]] || fail "no link to $target"
   done

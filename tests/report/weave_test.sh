@@ -355,12 +355,16 @@ $$ e $$ {#eq:e}
 The *caption*.
 :::
 END
-  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2e-3' 'p. 7'
-  expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>'
+  expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2·10−3' 'p. 7'
+  expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>' '2·10<sup>−3</sup>'
   mkdir -p figures/measured
   sed 's/plain/other/' build/data/t.csv >figures/measured/t.csv
   sed -i 's|"t|"figures/measured/t|' one.md
   expect 'Table 1. The caption.' 'other'
+  # What all rows of measured data share is told once.
+  printf 'n,error,machine,date\n1,1e-8 to 1e-7,big,2026-11-23\n2,1.5e-09,big,2026-11-23\n' >figures/measured/t.csv
+  expect 'Table 1. The caption. Machine big, date 2026‑11‑23.' '10−8 to 10−7' '1.5·10−9'
+  if grep -E '>(big|machine)<' page.html; then fail 'columns that are the same in all rows'; fi
 }
 
 # Where rows are cards, each value has its column's name; one that is a number at the head of a card, too.
@@ -379,7 +383,7 @@ The caption.
 END
   expect 'Table 2. Written.'
   printf 'a $\\mathrm{Pe}$,$T^*_{\\max}$,tolerance\nx,2,1e-8 to 1e-7\n' >build/data/t.csv
-  expect '1e−8 to 1e−7'
+  expect '10−8 to 10−7'
   expect_html '[id="tbl:t"] td:nth-child(1) { --column: "a Pe"; }' '[id="tbl:t"] td:nth-child(2) { --column: "Tmax*"; }' '<figure class="table cards" id="tbl:t">'
   printf 'a,b $x$,verdict\n1,2,holds\n' >build/data/t.csv
   expect 'Table 2. Written.'
