@@ -50,8 +50,8 @@ Results estimate(const Results& change, double now, double before, int n, bool s
   const double part = part_of_change(n, slow), size = n, rules = 4 * std::pow(24 + size, -6);
   const double product = part * shrinking(now, before, n, slow);
   Results error = product * change;
-  error(max_temperature) =
-      std::min(product, std::clamp(now / before, part / 4, part)) * change(max_temperature);
+  const double of_one_point = std::min(product, std::clamp(now / before, part / 4, part));
+  if (!slow) error(max_temperature) = of_one_point * change(max_temperature);
   const double largest = error.head(compared).maxCoeff();
   error = error.max((n < 30 ? 1 : 0.3) * largest);
   error = error.max(unresolved(now, n, slow, n < 30 ? 20 : 10, slow ? 200 : 30));
