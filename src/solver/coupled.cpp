@@ -76,9 +76,12 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   return std::min((least + group - 1) / group * group, most_unknowns);
 }
 
-double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now) {
+/// By the change since the grid before, the coefficients on both, and the speed of the slip zone.
+double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now,
+                         double lambda) {
   const auto n = static_cast<int>(now.size());
-  const double of_tail = unresolved(tail(now), n, false, n < 30 ? 7 : 10, 1e3);
+  const double of_integrals = n < 30 ? 7 + 8 * decades_beyond(lambda) : 10;
+  const double of_tail = unresolved(tail(now), n, false, of_integrals, 1e3);
   const double of_change = part_with_law(before, now) * change.head(compared).maxCoeff();
   return std::max(of_tail, of_change) + 4 * std::pow(24 + n, -6) + 1e-14 * n;
 }
@@ -154,15 +157,16 @@ struct Refinement {
   double worst() const { return error.head(compared).maxCoeff(); }
 };
 
-/// By the largest change since the previous grid and the tail of the coefficients.
-double error_of_crossing_heat(const Scene& scene, int n, double change, double tail) {
-  const double speed = std::max(scene.peclet, scene.roller.peclet);
+/// On a grid of n unknowns, by the largest change since one of `before` and the tail.
+double error_of_crossing_heat(const Scene& scene, int n, Index before, double change, double tail) {
+  const double speed = std::max(scene.peclet, scene.roller.peclet), by_tail = tail / (n * n);
   const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * speed) : 0;
   const bool bulk = scene.bulk_difference != 0;
   if (resolved < 1) return (bulk ? 4 : 2) * change;
-  if (resolved >= 10 && !bulk) return 0.4 * change;
-  const double by_tail = resolved >= 10 ? std::max(0.1 * change, tail / (n * n)) : change;
-  return std::min(0.5 * change, by_tail);
+  const bool close = n <= 200 && n < 1.7 * static_cast<double>(before);
+  if (close) return 2 * std::max(change, by_tail);
+  if (resolved < 10) return 0.5 * change;
+  return bulk ? std::min(0.5 * change, std::max(0.1 * change, by_tail)) : 0.4 * change;
 }
 
 /// The unknowns of the first grid whose error can be told.
@@ -182,16 +186,18 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const double slowly = n <= 200 ? 0.01 : 0.004;
-  const double remembered = level.crossing ? 0.004 : bent ? 0.2 : slow ? slowly : 0.02;
+  const double finer = static_cast<double>(last.h.size()) / n, slowly = n <= 200 ? 0.01 : 0.004;
+  const double remembered = level.crossing ? 0.004 : bent ? finer * finer : slow ? slowly : 0.02;
   const Results change = (moved / scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
+  const double speed = std::max(scene.peclet, peclet_2(scene));
   Results left = estimate(change, now, then, n, slow);
+  if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
-    left.setConstant(estimate_with_law(change, last.h, level.h));
+    left.setConstant(estimate_with_law(change, last.h, level.h, level.at.slip * speed));
   if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
-    const double least = error_of_crossing_heat(scene, n, largest, now);
+    const double least = error_of_crossing_heat(scene, n, last.h.size(), largest, now);
     const double tails = flat ? 0.2 * now / (n * n) : left.head(compared).maxCoeff();
     left.setConstant(std::max(tails, least));
   }

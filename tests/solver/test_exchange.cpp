@@ -583,6 +583,32 @@ TEST(Exchange, AgreementByChanceIsNotBelieved) {
   }
 }
 
+// Grids of 64 and of 96 unknowns agree by chance. The largest temperatures were off by 7 and by 4
+// times their estimates when half of such a change was counted.
+TEST(Exchange, AgreementOfCloseGridsIsNotBelieved) {
+  struct Given {
+    Scene scene;
+    double bulk_difference;
+    Prescribed prescribed;
+  };
+  const Given all[] = {{{0.280935, 1177.98, 0.0176453, {1.28072, 0.00205002, 3356.21}},
+                        -0.000645136,
+                        {Quantity::traction, 0.2809346}},
+                       {{0.0595499, 142.869, 0.00385097, {3.12885, 0.022155, 3652.1}},
+                        -0.000295312,
+                        {Quantity::stick_slip_border, -0.94158394}}};
+  for (const auto& [bodies, bulk_difference, prescribed] : all) {
+    Scene scene = bodies;
+    scene.direction = Direction::braking;
+    scene.bulk_difference = bulk_difference;
+    const CoupledSolution x = solve_coupled(scene, {Formulation::corrected, 1e-6}, prescribed);
+    const CoupledSolution y = solve_coupled(scene, {Formulation::corrected, 1e-9}, prescribed);
+    ASSERT_LT(x.unknowns, y.unknowns);
+    const auto hottest = Quantity::max_temperature;
+    EXPECT_LE(std::abs(x.value(hottest) - y.value(hottest)), x.error(hottest)) << scene.peclet;
+  }
+}
+
 // A warm roller heats the contact where it sticks, and little slip heats it less. The largest
 // temperature is then the largest of the curve along the contact, whose error is that of the
 // solution; the first scene was off by 1.5 % when only the slip zone was searched. In the last, the
