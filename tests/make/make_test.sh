@@ -329,6 +329,10 @@ PrintIsShort() { # in the copy, for a release
   grep -q 'Friction that falls with temperature' "$work/first.txt" && grep -q 'Certified results' "$work/first.txt" || fail "no contents on the first page"
   pages=$(grep -ac '/Type /Page$' build/paper.pdf)
   [ "$pages" -ge 10 ] && [ "$pages" -le 14 ] || fail "the short version has $pages pages"
+  pdftotext -bbox build/report.pdf "$work/words.xml" # the pages end 11 mm above the edge of the paper
+  awk -F'"' '/<page / { ++page; end = $4 - 11 / 25.4 * 72 }
+    /<word / && $4 < end - 0.5 && $8 > end + 0.5 { print "page " page; exit 1 }' "$work/words.xml" >"$work/cut" ||
+    fail "a line is cut at the end of $(cat "$work/cut")"
   has_running_head report "$(grep -ac '/Type /Page$' build/report.pdf)"
   has_running_head paper "$pages"
 }

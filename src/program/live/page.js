@@ -490,7 +490,7 @@ function live_page(engine) {
       const csv = me.answer && !root.classList.contains("refused") ? "s,pressure,bound,traction,slip\n" + rows_of(me.answer.contact, 5).map((row) => row.join()).join("\n") +
         "\n\ns,temperature\n" + rows_of(me.answer.temperature, 2).map((row) => row.join()).join("\n") + "\n" : "";
       const address = address_of(asked);
-      links.innerHTML = `<code>${command_of(asked)}</code><br/><a href="${address}">Link to this scene</a> · ` +
+      links.innerHTML = `<code>${command_of(asked).replace(/--\S+/g, "<span>$&</span>")}</code><br/><a href="${address}">Link to this scene</a> · ` +
         `<a download="contact.csv" href="data:text/csv,${encodeURIComponent(csv)}">Curves as CSV</a>`;
       try {
         if (me.touched || location.hash.startsWith("#live?")) history.replaceState(null, "", address);
