@@ -49,7 +49,7 @@ std::vector<CoupledSolution> solutions_with_unit_friction() {
 }
 
 CoupledSolution one_of_two(Branch branch) {
-  return found(softened(3, 100, paper::heating), {Quantity::traction, 0.35, branch}, 1e-8);
+  return found(softened(3, 100, paper::heating), {Quantity::traction, 0.35, branch}, 1e-10);
 }
 
 void softened_curves(std::ostream& out) {
@@ -98,7 +98,7 @@ template <class AddRow>
 void for_each_state(const AddRow& add_row) {
   const Scene scene = softened(3, 100, paper::heating);
   const CoupledSolution before = one_of_two(Branch::rising), past = one_of_two(Branch::falling);
-  const CoupledSolution at = found(scene, {Quantity::creep, before.limit->creep}, 1e-8);
+  const CoupledSolution at = found(scene, {Quantity::creep, before.limit->creep}, 1e-10);
   for (const auto& [state, x] : {std::pair{"before", &before}, {"at", &at}, {"past", &past}}) {
     const Profile along = profile(*x);
     for (Eigen::Index i = 0; i < along.s.size(); ++i) add_row(state, scene, along, i);
