@@ -181,7 +181,7 @@ void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density
   };
   const Eigen::Index end = below(50 / z.minCoeff());
   if (octave % 8 > 0) {
-    x.powers = x.powers.topRows(std::max<Eigen::Index>(end - x.first, 0)).square().eval();
+    x.powers = x.powers.topRows(end - x.first).square().eval();
     return;
   }
   const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
