@@ -70,6 +70,15 @@ bool add(CurveSamples& x, std::size_t index, double rho, const GridSolution& fro
   return solved;
 }
 
+GridSolution continued(const Points& points, double rho) {
+  if (points.empty()) return {};
+  GridSolution start = points.back().solution;
+  if (points.size() == 1 || rho >= 1) return start;
+  const OnCurve &a = points[points.size() - 2], &b = points.back();
+  start.h += (rho - b.rho) / (b.rho - a.rho) * (b.solution.h - a.solution.h);
+  return start;
+}
+
 CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) {
   CurveSamples x{curve};
   const double share = std::min(asked / curve.scene.friction, 0.8);
@@ -79,8 +88,7 @@ CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) 
        {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
     const std::size_t size = x.points.size();
     const double rho = place < 1 ? first + (1 - first) * place : place;
-    if (!add(x, size, rho, size > 0 ? x.points.back().solution : GridSolution{}) || size == 0)
-      continue;
+    if (!add(x, size, rho, continued(x.points, rho)) || size == 0) continue;
     if (falls(size) && (branch == Branch::rising || x.points.back().traction() < asked)) break;
   }
   for (int k = 0; k < 12 && x.points.size() > 1; ++k) {

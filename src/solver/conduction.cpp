@@ -48,7 +48,12 @@ std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zet
 }
 
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) {
-  if (!c.pair) return (-2 * zeta.min(300)).exp();  // not below what a number holds
+  if (!c.pair) {
+    Eigen::ArrayXd shares = Eigen::ArrayXd::Zero(zeta.size());
+    const Eigen::Index near = (zeta < 20).count();
+    shares.head(near) = (-2 * zeta.head(near)).exp();
+    return shares;
+  }
   return zeta.unaryExpr([&](double at) {
     const double z = at / c.peclet, zeta_1 = c.pair->peclet * z, m = fast_kernels(zeta_1).m_down;
     const Remainders r = (*c.pair)(z);

@@ -190,11 +190,14 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 }
 
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
-  const bool crosses = exchanges(scene, zones) || scene.bulk_difference != 0;
-  if (!is_unlike(scene) && !crosses) return GridRules(n, zones, scene.peclet);
+  const bool friction_crosses = exchanges(scene, zones), bulk = scene.bulk_difference != 0;
+  if (!is_unlike(scene) && !friction_crosses && !bulk) return GridRules(n, zones, scene.peclet);
   const Conduction conduction(scene, false);
-  const auto more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
-  return GridRules(n, zones, conduction.peclet, crosses ? more + n / 2 : more);
+  int more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
+  if (friction_crosses) more += n / 2;
+  if (friction_crosses || !bulk) return GridRules(n, zones, conduction.peclet, more);
+  return GridRules(n, zones, conduction.peclet, more + std::max(0, n - 48) / 2,
+                   zones.stick > 0 ? 16 : 0);
 }
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,

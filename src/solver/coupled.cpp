@@ -65,7 +65,7 @@ Results estimate(const Results& change, double now, double before, int n, bool s
 int next_unknowns(const Scene& scene, int n, const GridSolution& last, const GridSolution& level,
                   double missing) {
   const auto before = static_cast<int>(last.h.size()), now = static_cast<int>(level.h.size());
-  double next = 2 * n;
+  double next = scene.bulk_difference != 0 ? 1.6 * n : 2 * n;
   const bool steady = !level.crossing && !converges_slowly(scene, level.at);
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
@@ -124,7 +124,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
                              shortest(tried.at.c0()));
-  if (scene.bulk_difference != 0) {
+  if (scene.bulk_difference != 0 && given.quantity != stick_slip_border) {
     const auto n = static_cast<int>(level.h.size());
     const double step = 1e-3 * std::min(level.at.slip, level.at.stick);
     const Results change =
@@ -157,24 +157,19 @@ struct Refinement {
   double worst() const { return error.head(compared).maxCoeff(); }
 };
 
-/// On a grid of n unknowns, by the largest change since one of `before` and the tail.
-double error_of_crossing_heat(const Scene& scene, int n, Index before, double change, double tail) {
-  const double speed = std::max(scene.peclet, scene.roller.peclet), by_tail = tail / (n * n);
+/// On a grid of n unknowns.
+double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
+  const double speed = std::max(scene.peclet, scene.roller.peclet);
   const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * speed) : 0;
-  const bool bulk = scene.bulk_difference != 0;
-  if (resolved < 1) return (bulk ? 4 : 2) * change;
-  const bool close = n <= 200 && n < 1.7 * static_cast<double>(before);
-  if (close) return 2 * std::max(change, by_tail);
-  if (resolved < 10) return 0.5 * change;
-  return bulk ? std::min(0.5 * change, std::max(0.1 * change, by_tail)) : 0.4 * change;
+  if (scene.bulk_difference != 0) return resolved < 1 ? 4 : slow ? 1 : 0.5;
+  if (resolved < 1) return 2;
+  return resolved < 10 ? 0.5 : 0.4;
 }
 
 /// The unknowns of the first grid whose error can be told.
 int least_unknowns(const Scene& scene, int digits) {
-  const int least = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
-  if (scene.bulk_difference == 0) return least;
-  const double speed = std::max(scene.peclet, scene.roller.peclet);
-  return static_cast<int>(std::clamp(std::ceil(2 * std::pow(speed, 0.25)), 30.0, 120.0));
+  if (scene.bulk_difference != 0) return edge_unknowns(scene);
+  return (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
 }
 
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
@@ -187,7 +182,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
   const double finer = static_cast<double>(last.h.size()) / n, slowly = n <= 200 ? 0.01 : 0.004;
-  const double remembered = level.crossing ? 0.004 : bent ? finer * finer : slow ? slowly : 0.02;
+  const double smooth = slow ? slowly : level.crossing ? 0.004 : 0.02;
+  const double remembered = bent && !level.crossing ? finer * finer : smooth;
   const Results change = (moved / scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
@@ -197,9 +193,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left.setConstant(estimate_with_law(change, last.h, level.h, level.at.slip * speed));
   if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
-    const double least = error_of_crossing_heat(scene, n, last.h.size(), largest, now);
-    const double tails = flat ? 0.2 * now / (n * n) : left.head(compared).maxCoeff();
-    left.setConstant(std::max(tails, least));
+    const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
+    const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
+    left = (part_with_crossing_heat(scene, n, slow) * change.max(0.3 * largest)).max(tails);
   }
   return {value, change, left + rounding(given, slope, scale)};
 }

@@ -140,9 +140,9 @@ KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& grade
   for (Index i = 0; i < graded.x.size(); ++i) {
     const Kernels& k1 = first[static_cast<std::size_t>(i)];
     const Kernels& k2 = second[static_cast<std::size_t>(i)];
-    const double flux = graded.exchanged[i], twice = graded.upstream ? -2 * graded.apart[i] : 0;
-    const double m1 = k1.m_down * std::exp(twice * pair.peclet);
-    const double m2 = k2.m_down * std::exp(twice * pair.peclet_2);
+    const double flux = graded.exchanged[i], twice = -2 * graded.apart[i];
+    const double m1 = k1.m_down * (graded.upstream ? std::exp(twice * pair.peclet) : 1);
+    const double m2 = k2.m_down * (graded.upstream ? std::exp(twice * pair.peclet_2) : 1);
     const double slope = graded.upstream ? pair.slope * k1.n1 + pair.slope_2 * k2.n1 : 0;
     const double strain = graded.upstream ? pair.strain * k1.n2_up + pair.strain_2 * k2.n2_up
                                           : pair.strain * k1.n2_down + pair.strain_2 * k2.n2_down;
@@ -240,6 +240,17 @@ BulkExchange solve_bulk(const Scene& scene, int n) {
   return bulk;
 }
 
+/// With so many unknowns.
+std::shared_ptr<const BulkExchange> bulk_on(const Scene& scene, int n) {
+  static thread_local Scene last{};
+  static thread_local std::map<int, std::shared_ptr<const BulkExchange>> found;
+  if (scene.friction != last.friction || !same_bodies(scene, last)) found.clear();
+  last = scene;
+  auto& kept = found[n];
+  if (!kept) kept = std::make_shared<const BulkExchange>(solve_bulk(scene, n));
+  return kept;
+}
+
 /// At the distances 1 + s and 1 - s from its edges.
 double on_whole_contact(double left, double right) {
   const double near = distance_of_share(std::min({left, right, 1.0}) / 2);
@@ -335,16 +346,15 @@ void add_exchange(const Exchange& x, ThermalTerms& to) {
   to.g += x.thermal.g.leftCols(terms);
 }
 
+int edge_unknowns(const Scene& scene) {
+  const double speed = std::max(scene.peclet, peclet_2(scene));
+  return static_cast<int>(std::clamp(std::ceil(2 * std::pow(speed, 0.25)), 30.0, 120.0));
+}
+
 std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Index unknowns) {
   if (scene.bulk_difference == 0) return nullptr;
-  static thread_local Scene last{};
-  static thread_local std::map<int, std::shared_ptr<const BulkExchange>> found;
-  if (scene.friction != last.friction || !same_bodies(scene, last)) found.clear();
-  last = scene;
-  const int n = std::min(static_cast<int>(unknowns) + 20, most_unknowns);
-  auto& kept = found[n];
-  if (!kept) kept = std::make_shared<const BulkExchange>(solve_bulk(scene, n));
-  return kept;
+  const int n = std::max(static_cast<int>(unknowns), edge_unknowns(scene)) + 20;
+  return bulk_on(scene, std::min(n, most_unknowns));
 }
 
 BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation formulation,
@@ -368,7 +378,7 @@ NoSlip no_slip(const Scene& scene, double tolerance) {
   NoSlip now;
   if (scene.bulk_difference == 0) return now;
   for (int n = 10; n <= 160; n *= 2) {
-    const NoSlip last = now, rest = bulk_exchange(scene, n)->rest;
+    const NoSlip last = now, rest = bulk_on(scene, n + 20)->rest;
     now.traction = scene.bulk_difference * rest.traction;
     now.creep = scene.bulk_difference * rest.creep;
     now.traction_error = std::abs(now.traction - last.traction);
@@ -379,6 +389,7 @@ NoSlip no_slip(const Scene& scene, double tolerance) {
 }
 
 NoSlip no_slip_near(const Scene& scene, const Prescribed& given) {
+  if (given.quantity == Quantity::stick_slip_border) return {};
   const NoSlip rest = no_slip(scene, 1e-2);
   const double least = given.quantity == Quantity::traction ? rest.traction : rest.creep;
   return std::abs(given.value - least) < 0.1 * std::abs(least) ? no_slip(scene) : rest;

@@ -32,7 +32,8 @@ bool exchanges(const Scene& scene, const ZoneLengths& at);
 Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
                   const GridRules& rules, Eigen::Index terms);
 
-/// no_slip() to a hundredth, or to all digits where a traction or creep, with its sign, is near.
+/// no_slip() to a hundredth, or to all digits where a traction or creep, with its sign, is near;
+/// nothing for a given border.
 NoSlip no_slip_near(const Scene& scene, const Prescribed& given);
 
 /// The prescribed value less that without slip in the scene's direction; a traction of f stays f.
@@ -51,6 +52,9 @@ struct BulkExchange {
   double heat = 0, edge = 0;  // the integral of E, and C
   NoSlip rest{};              // @eq:no-slip
 };
+
+/// The unknowns of a grid that begins to resolve the layers at the edges; 30 to 120.
+int edge_unknowns(const Scene& scene);
 
 /// For grids of so many unknowns; none without a bulk difference.
 std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Eigen::Index unknowns);

@@ -91,7 +91,7 @@ std::optional<CrossingHeat> crossing_heat(const ContactGrid& grid, const GridSol
 Factors without_edges(Factors at) {
   const auto edge = 1 - at.s.abs() < 1e-4;
   at.pressure = edge.select(1, at.pressure);
-  at.slip = (edge && at.s < at.border).select(1, at.slip);
+  at.slip = (edge && at.s < at.border).select(0, at.slip);
   return at;
 }
 
@@ -180,6 +180,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
       level = last;
       continue;
     }
+    if (given.quantity == stick_slip_border) return level;
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     const double by_rounding = 4e-15 * std::abs(given.value);
     if (std::abs(moved) > by_rounding) slope = (level.value - last.value) / moved;

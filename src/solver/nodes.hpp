@@ -45,9 +45,10 @@ inline int temperature_nodes(int n, double lambda) {
 /// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which large H
 /// needs as fine as h, and of those for temperatures.
 struct GridRules {
-  explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1, int more = 0)
+  explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1, int more = 0,
+                     int more_that_stick = 0)
       : slip(gauss_legendre(n)),
-        stick(gauss_legendre(stick_nodes(n, at))),
+        stick(gauss_legendre(stick_nodes(n, at) + more_that_stick)),
         graded(rounded_up(4, std::min(most_unknowns, more + std::max(16 + (n + 2) / 3, n)))),
         fine(rounded_up(8, temperature_nodes(n + more, at.slip * peclet))) {}
   const GaussLegendre &slip, &stick, &graded, &fine;
