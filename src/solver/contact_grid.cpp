@@ -195,9 +195,9 @@ GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
   const Conduction conduction(scene, false);
   int more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
   if (friction_crosses) more += n / 2;
-  if (friction_crosses || !bulk) return GridRules(n, zones, conduction.peclet, more);
-  return GridRules(n, zones, conduction.peclet, more + std::max(0, n - 48) / 2,
-                   zones.stick > 0 ? 16 : 0);
+  if (bulk && !friction_crosses) more += std::max(0, n - 48) / 2;
+  const bool strained = bulk && !friction_crosses && zones.stick > 0;
+  return GridRules(n, zones, conduction.peclet, more, strained ? 16 : 0);
 }
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,

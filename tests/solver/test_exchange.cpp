@@ -610,9 +610,8 @@ TEST(Exchange, AgreementOfCloseGridsIsNotBelieved) {
   }
 }
 
-// On the stick zone the strain of a bulk difference has the layer of the leading edge. Without
-// nodes for it this scene took 120 unknowns, the last of which were not needed by any other part of
-// it.
+// On the stick zone the strain of a bulk difference has a layer at the leading edge. Without nodes
+// for it this scene took 120 unknowns.
 TEST(Exchange, FewUnknownsForABulkDifference) {
   Scene scene{0.3, 4360, 0.0175, {2, 0.01225, 872}};
   scene.bulk_difference = 0.1 / std::sqrt(scene.peclet);
