@@ -168,7 +168,7 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          const GridRules& rules, Index terms) {
-  const Nodes nodes = place_nodes(zones, rules.slip, rules.stick);
+  const Nodes nodes = place_nodes(zones, rules.slip, rules.stick, rules.layer);
   const GaussLegendre& graded =
       scene.law ? rule_for_temperatures(scene, zones, rules) : rules.graded;
   ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, graded);
@@ -191,13 +191,15 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
   const bool friction_crosses = exchanges(scene, zones), bulk = scene.bulk_difference != 0;
-  if (!is_unlike(scene) && !friction_crosses && !bulk) return GridRules(n, zones, scene.peclet);
+  if (!is_unlike(scene) && !friction_crosses && !bulk)
+    return GridRules(n, zones, scene.peclet, 0, 0, layer_ahead(n, scene.peclet));
   const Conduction conduction(scene, false);
   int more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
   if (friction_crosses) more += n / 2;
   if (bulk && !friction_crosses) more += std::max(0, n - 48) / 2;
   const bool strained = bulk && !friction_crosses && zones.stick > 0;
-  return GridRules(n, zones, conduction.peclet, more, strained ? 16 : 0);
+  const double layer = friction_crosses || bulk ? 2 : layer_ahead(n, conduction.peclet);
+  return GridRules(n, zones, conduction.peclet, more, strained ? 16 : 0, layer);
 }
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,

@@ -24,6 +24,12 @@ using enum Quantity;
 
 namespace {
 
+Carter nearest_carter(const Scene& scene, const Prescribed& given) {
+  Prescribed near = beyond_no_slip(scene, given);
+  if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
+  return carter_given(scene.friction, near);
+}
+
 /// Large f H, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
   const bool short_zone = at.stick > 0 && std::min(at.slip, at.stick) < 0.1;
@@ -34,30 +40,57 @@ bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
 /// unknowns.
 double part_of_change(int n, bool slow) {
   if (n > 200) return 0.05;
-  if (slow) return n < 30 ? 3 : 1;
+  if (slow) return 1;
   return 0.2;
 }
 
 /// The factor of the part of a change, by the tail now and before.
 double shrinking(double now, double before, int n, bool slow) {
-  if (n < 30 || n > 200) return 1;
-  return std::clamp(10 * now / before, slow ? 0.2 : 0.1, 1.0);
+  if (n > 200) return 1;
+  return std::clamp(10 * now / before, n < 30 ? 0.2 : slow ? 0.05 : 0.02, 1.0);
+}
+
+/// How far each quantity is from its value without heat, relative to its scale and at most 1, with
+/// a twentieth of the largest of them.
+Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
+                      const Results& value) {
+  const bool no_cold = scene.law && given.quantity == traction;
+  if (scene.bulk_difference != 0 || level.at.stick == 0 || no_cold) return Results::Ones();
+  const Results cold = carter_values(nearest_carter(scene, given));
+  Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
+  share(max_temperature) = 0;
+  share += 0.05 * share.head(compared - 2).maxCoeff();
+  share(heat_integral) = std::max(share(heat_integral), 0.1);
+  share(max_temperature) = 1;
+  return share;
+}
+
+/// Relative errors due to the graded rules of n unknowns.
+Results error_of_rules(const Scene& scene, int n) {
+  const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet);
+  const double error = 4e-7 * std::exp(-0.53 * (graded_nodes(n) - 28)) * std::min(1.0, strain);
+  const double slow = scene.peclet / 10;
+  Results errors = Results::Constant(error / 20 * std::clamp(slow, 0.02, 1.0));
+  errors(heat_integral) = errors(max_temperature) = error * std::clamp(slow, 0.05, 1.0);
+  return errors;
+}
+
+double weight_of_tail(int n, bool slow) {
+  if (slow && n <= 200) return 100;
+  return n < 30 ? 20 : 10;
 }
 
 /// Estimated errors, each relative to its scale, on the grid of n unknowns with the tail now and
-/// before, and the change since the previous grid; slow if convergence is slow.
-Results estimate(const Results& change, double now, double before, int n, bool slow) {
-  const double part = part_of_change(n, slow), size = n, rules = 4 * std::pow(24 + size, -6);
-  const double product = part * shrinking(now, before, n, slow);
-  Results error = product * change;
-  const double of_one_point = std::min(product, std::clamp(now / before, part / 4, part));
-  if (!slow) error(max_temperature) = of_one_point * change(max_temperature);
+/// before, by the change since the previous grid and the share of each quantity in the effects of
+/// heat; slow if convergence is slow.
+Results estimate(const Results& change, const Results& share, double now, double before, int n,
+                 bool slow) {
+  Results error = part_of_change(n, slow) * shrinking(now, before, n, slow) * change;
   const double largest = error.head(compared).maxCoeff();
-  error = error.max((n < 30 ? 1 : 0.3) * largest);
-  error = error.max(unresolved(now, n, slow, n < 30 ? 20 : 10, slow ? 200 : 30));
-  error += rules + 1e-14 * size;
-  error(max_temperature) += 2 * rules;
-  return error;
+  const double of_tail = unresolved(now, n, slow, weight_of_tail(n, slow), slow ? 200 : 30);
+  error = error.max(share * std::max((n < 30 ? 1 : 0.3) * largest, of_tail));
+  error(max_temperature) += 12 * std::pow(24 + std::max(n, 20), -6);
+  return error + 2e-15 * n;
 }
 
 /// After a grid of n unknowns and the one before it, for an estimate that is so many times the
@@ -76,14 +109,18 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   return std::min((least + group - 1) / group * group, most_unknowns);
 }
 
-/// By the change since the grid before, the coefficients on both, and the speed of the slip zone.
-double estimate_with_law(const Results& change, const VectorXd& before, const VectorXd& now,
-                         double lambda) {
+/// By the change since the grid before, the share of heat, the coefficients on both grids, and the
+/// speed of the slip zone.
+Results estimate_with_law(const Results& change, const Results& share, const VectorXd& before,
+                          const VectorXd& now, double lambda) {
   const auto n = static_cast<int>(now.size());
   const double of_integrals = n < 30 ? 7 + 8 * decades_beyond(lambda) : 10;
   const double of_tail = unresolved(tail(now), n, false, of_integrals, 1e3);
-  const double of_change = part_with_law(before, now) * change.head(compared).maxCoeff();
-  return std::max(of_tail, of_change) + 4 * std::pow(24 + n, -6) + 1e-14 * n;
+  const Results of_change = part_with_law(before, now) * change;
+  const double largest = of_change.head(compared).maxCoeff();
+  Results error = of_change.max(share * std::max(of_tail, largest)) + 2e-15 * n;
+  error(max_temperature) += 12 * std::pow(24 + std::max(n, 20), -6);
+  return error;
 }
 
 bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
@@ -99,9 +136,7 @@ bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const 
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
-  Prescribed near = beyond_no_slip(scene, given);
-  if (given.quantity == creep) near.value = std::min(near.value, 1.999 * scene.friction / pi);
-  const Carter cold = carter_given(scene.friction, near);
+  const Carter cold = nearest_carter(scene, given);
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
@@ -187,15 +222,19 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const Results change = (moved / scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
-  Results left = estimate(change, now, then, n, slow);
+  const Results share = share_of_heat(scene, level, given, value);
+  Results left = estimate(change, share, now, then, n, slow);
+  const Results of_rules = 0.03 * (value - level.value).abs() / scale + error_of_rules(scene, n);
+  left += of_rules;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
-    left.setConstant(estimate_with_law(change, last.h, level.h, level.at.slip * speed));
+    left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + of_rules;
   if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
-    left = (part_with_crossing_heat(scene, n, slow) * change.max(0.3 * largest)).max(tails);
+    const double part = part_with_crossing_heat(scene, n, slow);
+    left = (part * change.max(0.3 * largest * share)).max(tails * share);
   }
   return {value, change, left + rounding(given, slope, scale)};
 }
@@ -210,7 +249,7 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
     const double moved = level.value(given.quantity) - last.value(given.quantity);
     if (k > 0 && moved != 0) slope = (level.value - last.value) / moved;
     const Results left = slope * residual(level, given) / scale_in(scene, level.value);
-    if (left.head(compared).abs().maxCoeff() < 0.01) break;
+    if (left.head(compared).abs().maxCoeff() < (n > 64 ? 1e-4 : 0.01)) break;
   }
   return level;
 }
@@ -224,7 +263,11 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   const bool where_it_sticks = found.value(max_temperature_at) < level.at.c0();
   x.error(max_temperature_at) =
       where_it_sticks ? level.at.stick : level.at.slip * std::sqrt(found.error(max_temperature));
-  if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
+  if (level.at.stick == 0) {
+    x.value(stick_slip_border) = -1;
+    x.value(slip_length) = 2;
+    x.error(stick_slip_border) = x.error(slip_length) = 0;
+  }
   if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);
   x.crossing = level.crossing;
@@ -490,6 +533,7 @@ SmoothTractions smooth_tractions(const CoupledSolution& x, int n) {
   const MatrixXd to_stick = to_legendre(grid.rules.stick);
   const ZoneLengths& at = grid.nodes.zones;
   SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
+  y.layer = grid.rules.layer;
   const MatrixXd to_slip = to_legendre(grid.rules.slip);
   y.pressure = to_slip * found.pressure.tail(n).matrix();
   if (!grid.hot) return y;

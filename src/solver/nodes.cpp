@@ -19,7 +19,8 @@ VectorXd carter_h(const ZoneLengths& at, double friction) {
   return 4 * friction / (pi * pi) * (to_legendre(rule) * h);
 }
 
-Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick) {
+Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick,
+                  double layer) {
   const Index n = slip.x.size(), m = stick.x.size();
   Nodes z{zones, slip.x, ArrayXd(n), {}, {}, {}, {}, {}, VectorXd(n + m), VectorXd(n)};
   for (Index i = 0; i < n; ++i) {
@@ -29,7 +30,7 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
     z.heat(i) = 6 * uv * uv * at.omega() * du;
     z.over_root(i) = 6 * at.u / std::sqrt(1 + 2 * at.u) * du;
   }
-  const double fine = std::min(1.0, std::sqrt(zones.slip / zones.stick));
+  const double fine = std::min(1.0, std::sqrt(std::min(zones.slip, layer) / zones.stick));
   const double ell = std::log1p(1 / fine);
   const ArrayXd grown = (ell * stick.rho).exp(), q = fine * (grown - 1);
   const ArrayXd dq = fine * ell / 2 * grown * stick.w;

@@ -32,26 +32,38 @@ inline double decades_shorter(const ZoneLengths& at) {
 
 /// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. Fine grids
 /// occur at large H, which needs G as fine as h. Full slip has no stick zone.
-inline int stick_nodes(int n, const ZoneLengths& at) {
+inline int stick_nodes(int n, const ZoneLengths& at, double layer) {
   if (at.stick == 0) return 0;
-  return n > 64 ? n : std::max(8, 3 * n / 4) + static_cast<int>(2 * decades_shorter(at));
+  const int few = n <= 12 ? 8 : std::max(3 * n / 4 + 2, n / 2 + 11);
+  const double decades = decades_shorter({std::min(at.slip, layer), at.stick});
+  return n > 64 ? n : few + static_cast<int>(2 * decades);
 }
+
+/// Nodes of a graded rule on a grid of n unknowns; coarse grids only lead to finer ones.
+inline int graded_nodes(int n) { return n <= 12 ? 20 : std::max(28, (n + 7) / 4 * 4); }
 
 /// Nodes of a graded rule for temperatures: the more the faster the slip zone, lambda, is.
 inline int temperature_nodes(int n, double lambda) {
-  return std::min(most_unknowns, n + static_cast<int>(5 * decades_beyond(lambda))) + 24;
+  const int more = static_cast<int>(8 * decades_beyond(lambda));
+  return std::min(most_unknowns, std::max(n, 20) + more) + 24;
 }
+
+/// The length of the layer beside the border that the stick nodes resolve; 2, the whole contact, on
+/// the coarse grids that only lead to finer ones.
+inline double layer_ahead(int n, double peclet) { return n <= 12 ? 2 : 30 / std::min(peclet, 1e6); }
 
 /// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which large H
 /// needs as fine as h, and of those for temperatures.
 struct GridRules {
   explicit GridRules(int n, const ZoneLengths& at = {1, 1}, double peclet = 1, int more = 0,
-                     int more_that_stick = 0)
+                     int more_that_stick = 0, double ahead = 2)
       : slip(gauss_legendre(n)),
-        stick(gauss_legendre(stick_nodes(n, at) + more_that_stick)),
-        graded(rounded_up(4, std::min(most_unknowns, more + std::max(16 + (n + 2) / 3, n)))),
-        fine(rounded_up(8, temperature_nodes(n + more, at.slip * peclet))) {}
+        stick(gauss_legendre(stick_nodes(n, at, ahead) + more_that_stick)),
+        graded(rounded_up(4, std::min(most_unknowns, more + graded_nodes(n)))),
+        fine(rounded_up(8, temperature_nodes(n + more, at.slip * peclet))),
+        layer(ahead) {}
   const GaussLegendre &slip, &stick, &graded, &fine;
+  double layer;  // length of the layer ahead of the border
 };
 
 /// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].
@@ -97,6 +109,7 @@ struct Nodes {
 Eigen::VectorXd carter_h(const ZoneLengths& at, double friction);
 
 /// The nodes of both zones of these lengths.
-Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick);
+Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick,
+                  double layer = 2);
 
 }  // namespace thermoroll

@@ -311,7 +311,8 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   const bool better = other > n && x.model == Model::coupled;
   const Carter carter{f, 1 - half, half, found.value(stick_slip_border), found.value(creep)};
   const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
-  const double e = (*x.error)(heat_integral) / x.value(heat_integral);
+  const Results relative = *x.error / scale_in(x.scene, x.value);
+  const double e = std::max(relative(heat_integral), relative(max_temperature));
   const auto error = [&](double Peaks::*what) {
     return 2 * std::abs(changed.*what - own.*what) + e * own.*what;
   };

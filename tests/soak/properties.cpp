@@ -316,8 +316,8 @@ Places slip_places(double length, const GaussLegendre& rule) {
 }
 
 /// The same on the stick zone, q = eps (e^(k rho) - 1) with rho = (1 + x) / 2.
-Places stick_places(double length, double slip, const GaussLegendre& rule) {
-  const double eps = std::min(1.0, std::sqrt(slip / length)), k = std::log1p(1 / eps);
+Places stick_places(double length, double near, const GaussLegendre& rule) {
+  const double eps = std::min(1.0, std::sqrt(near / length)), k = std::log1p(1 / eps);
   const ArrayXd grown = eps * (k / 2 * (1 + rule.x)).exp();
   const ArrayXd rest =
       -(1 + eps) * (k / 2 * (rule.x - 1)).unaryExpr([](double x) { return std::expm1(x); });
@@ -351,7 +351,8 @@ Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Prof
   const double slip = found.value(slip_length), c0 = found.value(stick_slip_border),
                f = x.scene.friction;
   const Index n = found.unknowns, m = y.s.size() - n;
-  Tractions z{zone(m, [&](const GaussLegendre& r) { return stick_places(1 + c0, slip, r); }),
+  const double near = std::min(slip, smooth_tractions(found, found.unknowns).layer);
+  Tractions z{zone(m, [&](const GaussLegendre& r) { return stick_places(1 + c0, near, r); }),
               zone(n, [&](const GaussLegendre& r) { return slip_places(slip, r); }),
               {},
               {},

@@ -82,7 +82,7 @@ Point at_slip(const CoupledSolution& x, double u) {
 // The same on the stick zone, where the contact is cold.
 Point at_stick(const CoupledSolution& x, double u) {
   const thermoroll::SmoothTractions y = thermoroll::smooth_tractions(x, x.unknowns);
-  const double fine = std::min(1.0, std::sqrt(y.slip / y.stick));
+  const double fine = std::min(1.0, std::sqrt(std::min(y.slip, y.layer) / y.stick));
   const double rho = std::log1p((1 - u) / fine) / std::log1p(1 / fine);
   const ArrayXd place = ArrayXd::Constant(1, 2 * rho - 1);
   const Eigen::MatrixXd series = thermoroll::legendre(place, y.bracket.size());
@@ -354,8 +354,9 @@ TEST(HotFriction, TractionsCarryTheLoads) {
         }
         double load = (ds * y.pressure.tail(n)).sum(), pull = (ds * y.traction.tail(n)).sum();
         if (m > 0) {
-          const double stick = 2 - length, fine = std::min(1.0, std::sqrt(length / stick)),
-                       k = std::log1p(1 / fine);
+          const double layer = thermoroll::smooth_tractions(x, x.unknowns).layer;
+          const double stick = 2 - length, short_of = std::min(length, layer),
+                       fine = std::min(1.0, std::sqrt(short_of / stick)), k = std::log1p(1 / fine);
           const thermoroll::GaussLegendre& other = thermoroll::gauss_legendre(static_cast<int>(m));
           const ArrayXd grown = fine * (k * other.rho).exp(), q = grown - fine;
           const ArrayXd dr = stick * 6 * q * (1 - q) * k / 2 * grown * other.w;

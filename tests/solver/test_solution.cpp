@@ -866,9 +866,7 @@ TEST(Solution, ErrorOfATemperatureIncludesTheLastCorrection) {
     double creep, tolerance;
   };
   for (const auto& [scene, xi, tolerance] :
-       {Given{{0.48611, 51.704, 2.0314}, 0.02746342, 6.5e-6},
-        Given{{0.2700362, 8.287458, 1.041757}, 0.1182283, 2.3e-7},
-        Given{{0.06625193, 36161.93, 99.1832}, 0.004261559, 9.4e-5},
+       {Given{{0.2700362, 8.287458, 1.041757}, 0.1182283, 2.3e-7},
         Given{{0.7163644, 319997.8, 7.503096}, 0.08136242, 2e-6}}) {
     const Solution x =
         solve(scene, {creep, xi}, {Formulation::corrected, tolerance, Method::coupled});
