@@ -223,9 +223,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
-  Results left = estimate(change, share, now, then, n, slow);
   const Results of_rules = 0.03 * (value - level.value).abs() / scale + error_of_rules(scene, n);
-  left += of_rules;
+  Results left = estimate(change, share, now, then, n, slow) + of_rules;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
     left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + of_rules;
