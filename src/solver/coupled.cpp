@@ -58,7 +58,6 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   if (scene.bulk_difference != 0 || level.at.stick == 0 || no_cold) return Results::Ones();
   const Results cold = carter_values(nearest_carter(scene, given));
   Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
-  share(max_temperature) = 0;
   share += 0.05 * share.head(compared - 2).maxCoeff();
   share(heat_integral) = std::max(share(heat_integral), 0.1);
   share(max_temperature) = 1;
@@ -69,15 +68,10 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
 Results error_of_rules(const Scene& scene, int n) {
   const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet);
   const double error = 4e-7 * std::exp(-0.53 * (graded_nodes(n) - 28)) * std::min(1.0, strain);
-  const double slow = scene.peclet / 10;
-  Results errors = Results::Constant(error / 20 * std::clamp(slow, 0.02, 1.0));
-  errors(heat_integral) = errors(max_temperature) = error * std::clamp(slow, 0.05, 1.0);
+  const double speed = scene.peclet / 10;
+  Results errors = Results::Constant(error / 20 * std::clamp(speed, 0.02, 1.0));
+  errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   return errors;
-}
-
-double weight_of_tail(int n, bool slow) {
-  if (slow && n <= 200) return 100;
-  return n < 30 ? 20 : 10;
 }
 
 /// Estimated errors, each relative to its scale, on the grid of n unknowns with the tail now and
@@ -85,9 +79,12 @@ double weight_of_tail(int n, bool slow) {
 /// heat; slow if convergence is slow.
 Results estimate(const Results& change, const Results& share, double now, double before, int n,
                  bool slow) {
-  Results error = part_of_change(n, slow) * shrinking(now, before, n, slow) * change;
+  const double part = part_of_change(n, slow), product = part * shrinking(now, before, n, slow);
+  Results error = product * change;
+  const double of_one_point = std::min(product, std::clamp(now / before, part / 4, part));
+  if (!slow) error(max_temperature) = of_one_point * change(max_temperature);
   const double largest = error.head(compared).maxCoeff();
-  const double of_tail = unresolved(now, n, slow, weight_of_tail(n, slow), slow ? 200 : 30);
+  const double of_tail = unresolved(now, n, slow, n < 30 ? 20 : 10, slow ? 200 : 30);
   error = error.max(share * std::max((n < 30 ? 1 : 0.3) * largest, of_tail));
   error(max_temperature) += 12 * std::pow(24 + std::max(n, 20), -6);
   return error + 2e-15 * n;
@@ -169,8 +166,9 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   return level;
 }
 
-/// A step of the border, or as much of it as leaves a hundredth of each zone.
+/// A step of the border, or as much of it as leaves a hundredth of each zone; none in full slip.
 double within_contact(double step, const ZoneLengths& at) {
+  if (at.stick == 0) return 0;
   return std::clamp(step, -0.99 * at.stick, 0.99 * at.slip);
 }
 
@@ -210,30 +208,31 @@ int least_unknowns(const Scene& scene, int digits) {
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
-  const Results moved = (value - before.value).abs().max((value - level.value).abs());
+  const Results moved = (value - before.value).abs() / scale;
+  const Results corrected = (value - level.value).abs() / scale;
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const double finer = static_cast<double>(last.h.size()) / n, slowly = n <= 200 ? 0.01 : 0.004;
-  const double smooth = slow ? slowly : level.crossing ? 0.004 : 0.02;
+  const double finer = static_cast<double>(last.h.size()) / n;
+  const double smooth = n > 200 || (level.crossing && !slow) ? 0.004 : 0.01;
   const double remembered = bent && !level.crossing ? finer * finer : smooth;
-  const Results change = (moved / scale).max(remembered * before.change);
+  const Results change = moved.max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
-  const Results of_rules = 0.03 * (value - level.value).abs() / scale + error_of_rules(scene, n);
-  Results left = estimate(change, share, now, then, n, slow) + of_rules;
+  const Results small = 0.03 * corrected + error_of_rules(scene, n);
+  Results left = estimate(change, share, now, then, n, slow) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
-    left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + of_rules;
+    left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + small;
   if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (level.crossing && !bent) {
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
-    const double part = part_with_crossing_heat(scene, n, slow);
-    left = (part * change.max(0.3 * largest * share)).max(tails * share);
+    const Results whole = change.max(corrected).max(0.3 * largest * share);
+    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share);
   }
   return {value, change, left + rounding(given, slope, scale)};
 }
@@ -262,11 +261,7 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   const bool where_it_sticks = found.value(max_temperature_at) < level.at.c0();
   x.error(max_temperature_at) =
       where_it_sticks ? level.at.stick : level.at.slip * std::sqrt(found.error(max_temperature));
-  if (level.at.stick == 0) {
-    x.value(stick_slip_border) = -1;
-    x.value(slip_length) = 2;
-    x.error(stick_slip_border) = x.error(slip_length) = 0;
-  }
+  if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
   if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);
   x.crossing = level.crossing;

@@ -302,7 +302,7 @@ void end_after_pieces(LawHalf& half, double tolerance, double reach) {
   const double z = half.pieces.back().to;
   const double share = slips_partially(half.pieces.back()) ? std::min(z * z, 1.0) : 1 / (2 - z);
   half.last_creep = z < 2 ? half.unit_creep * share : std::numeric_limits<double>::infinity();
-  if (half.reason == not_asked) half.last_creep = std::max(half.last_creep, reach);
+  if (half.reason == not_asked && z > 1) half.last_creep = reach;
 }
 
 double creep_of_full_slip(const Scene& scene, Formulation formulation, double tolerance) {

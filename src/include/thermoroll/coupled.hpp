@@ -207,7 +207,7 @@ struct SmoothTractions {
   double slip, stick;  ///< lengths of both zones
   Eigen::VectorXd h, pressure, stick_pressure, bracket;
   Eigen::VectorXd bound{}, stick_bound{};
-  double layer = 2;  ///< of the nodes of the stick zone
+  double layer = 2;  ///< length beside the border that the nodes of the stick zone resolve
 };
 
 /// The profiles of a solution on a grid of n unknowns at its border; on a grid other than its own,
