@@ -47,7 +47,8 @@ double part_of_change(int n, bool slow) {
 /// The factor of the part of a change, by the tail now and before.
 double shrinking(double now, double before, int n, bool slow) {
   if (n > 200) return 1;
-  return std::clamp(10 * now / before, n < 30 ? 0.2 : slow ? 0.05 : 0.02, 1.0);
+  const double least = n < 30 ? 0.2 : slow ? 0.05 : 0.02;
+  return std::clamp(15 * now / before, least, slow ? 1.0 : 2.5);
 }
 
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
@@ -85,7 +86,7 @@ Results estimate(const Results& change, const Results& share, double now, double
   if (!slow) error(max_temperature) = of_one_point * change(max_temperature);
   const double largest = error.head(compared).maxCoeff();
   const double of_tail = unresolved(now, n, slow, n < 30 ? 20 : 10, slow ? 200 : 30);
-  error = error.max(share * std::max((n < 30 ? 1 : 0.3) * largest, of_tail));
+  error = error.max(share * std::max(largest, of_tail));
   error(max_temperature) += 12 * std::pow(24 + std::max(n, 20), -6);
   return error + 2e-15 * n;
 }

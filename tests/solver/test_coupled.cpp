@@ -691,9 +691,9 @@ TEST(Coupled, TheNextGridIsPredicted) {
 }
 
 // In each of these one rule of the estimate is what makes it hold: the whole change in slow scenes,
-// more for the tail on coarse grids, more for
-// a large tail, and the change of the largest temperature; in the last two, the nodes that the
-// stick zone has more of beside a short slip zone.
+// more for the tail on coarse grids, more for a large tail, and the change of the largest
+// temperature; in the last two, the nodes that the stick zone has more of beside a short slip
+// zone.
 TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
   using enum Quantity;
   constexpr Formulation printed = Formulation::printed, corrected = Formulation::corrected;
