@@ -100,7 +100,7 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   const bool steady = !level.crossing && !converges_slowly(scene, level.at);
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
-    if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 6, 1.3 * n, next);
+    if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 4, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
   const int least = static_cast<int>(std::ceil(next));
@@ -209,7 +209,6 @@ int least_unknowns(const Scene& scene, int digits) {
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
-  const Results moved = (value - before.value).abs() / scale;
   const Results corrected = (value - level.value).abs() / scale;
   const bool slow = converges_slowly(scene, level.at);
   const auto n = static_cast<int>(level.h.size());
@@ -219,7 +218,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double finer = static_cast<double>(last.h.size()) / n;
   const double smooth = n > 200 || (level.crossing && !slow) ? 0.004 : 0.01;
   const double remembered = bent && !level.crossing ? finer * finer : smooth;
-  const Results change = moved.max(remembered * before.change);
+  const Results change = ((value - before.value).abs() / scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
