@@ -27,6 +27,16 @@ std::vector<Kernels> pair_kernels(const Conduction& c, const Eigen::ArrayXd& zet
   return all;
 }
 
+Eigen::ArrayXd pair_temperatures(const Conduction& c, double side, const Eigen::ArrayXd& zeta) {
+  const Eigen::ArrayXd z = zeta / c.peclet, zeta_1 = c.pair->peclet * z;
+  const std::vector<Kernels> all = kernels_at(zeta_1);
+  Eigen::ArrayXd m(zeta.size());
+  for (Eigen::Index i = 0; i < m.size(); ++i) m(i) = all[static_cast<std::size_t>(i)].m_down;
+  if (side > 0) m *= (-2 * zeta_1).max(-700).exp();  // numbers next to the smallest are slow
+  for (Eigen::Index i = 0; i < m.size(); ++i) m(i) += (*c.pair)(z(i))(side > 0 ? 2 : 4);
+  return m;
+}
+
 std::shared_ptr<const PairTable> table_of(const Scene& pair, bool crossing) {
   if (!crossing) return std::make_shared<const PairTable>(pair, false);
   static thread_local Scene last{};
@@ -54,11 +64,7 @@ Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) 
     shares.head(near) = (-2 * zeta.head(near)).exp();
     return shares;
   }
-  return zeta.unaryExpr([&](double at) {
-    const double z = at / c.peclet, zeta_1 = c.pair->peclet * z, m = fast_kernels(zeta_1).m_down;
-    const Remainders r = (*c.pair)(z);
-    return (m * std::exp(-2 * zeta_1) + r(2)) / (m + r(4));
-  });
+  return pair_temperatures(c, 1, zeta) / pair_temperatures(c, -1, zeta);
 }
 
 }  // namespace thermoroll

@@ -25,6 +25,9 @@ struct Conduction {
 /// The kernels at all of these distances |zeta| > 0.
 std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta);
 
+/// M(side zeta), zeta > 0, of a pair: ahead of a source, or behind it for side = -1.
+Eigen::ArrayXd pair_temperatures(const Conduction& c, double side, const Eigen::ArrayXd& zeta);
+
 /// T* at the distances zeta > 0 ahead of a source over that behind it.
 Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta);
 

@@ -52,6 +52,13 @@ ZoneMap stick_map(const ZoneLengths& at) {
   return {at.stick, std::min(1.0, std::sqrt(at.slip / at.stick)), false};
 }
 
+GradedArray growth(const GradedArray& exponent) {
+  GradedArray grown = exponent.exp() - 1;
+  for (Index i = 0; i < grown.size(); ++i)
+    if (std::abs(exponent[i]) < 0.1) grown[i] = std::expm1(exponent[i]);
+  return grown;
+}
+
 /// u, v = 1 - u and du/dx.
 struct ZonePoints {
   GradedArray u, v, du;
@@ -60,8 +67,8 @@ struct ZonePoints {
 ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
   if (zone.slips()) return {slip_cubic(left), slip_cubic(right), (3 + 12 * left * right) / 22};
   const double half = zone.growth() / 2;
-  const GradedArray u = zone.fine * (half * left).expm1();
-  return {u, -(1 + zone.fine) * (-half * right).expm1(), half * (u + zone.fine)};
+  const GradedArray u = zone.fine * growth(half * left);
+  return {u, -(1 + zone.fine) * growth(-half * right), half * (u + zone.fine)};
 }
 
 /// dt / sqrt(1 - t), or with both edges dt / sqrt(t (1 - t)), over du.
@@ -77,10 +84,17 @@ struct Target {
   double left, right, gap;
 };
 
-/// Positions x, distances from the target, weights of a(x) and of h; whether it goes upstream.
+/// Whether the rule from a target upstream is used for the mirrored target as well.
+bool mirrors(const ZoneMap& zone, const Target& from) {
+  return zone.slips() && from.left > 0 && from.right > 0;
+}
+
+/// Positions x, distances from the target, weights of a(x) and of h; whether it goes upstream; and
+/// the weights of a(-x) if the mirror image is used.
 struct ZoneRule {
   GradedArray x, apart, exchanged, heat;
   bool upstream;
+  GradedArray mirrored{};
 };
 
 /// The rule from a target towards the edge (side = 1) or the border (-1).
@@ -93,13 +107,13 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const double at_end = std::sqrt((1 / speed + from.gap / zone.length) / 3) / du;
   const double delta = 6 * std::min(at_end, 1 / (speed * 6 * u * v * du));
   const double k = std::log1p((side > 0 ? from.right : from.left) / delta);
-  const GradedArray power = k * rule.cube, step = delta * power.expm1();
+  const GradedArray step = delta * growth(k * rule.cube);
   const GradedArray dx = 1.5 * k * rule.w * rule.rho.square() * (step + delta);
   const double middle = (from.left - from.right) / 2;
   ZoneRule graded{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
   const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
   GradedArray far = step * (15 - 4 * (middle * (middle + graded.x) + graded.x.square())) / 22;
-  if (!zone.slips()) far = side * (u + zone.fine) * (side * zone.growth() / 2 * step).expm1();
+  if (!zone.slips()) far = side * (u + zone.fine) * growth(side * zone.growth() / 2 * step);
   const auto near_border = to.u + u < 1;
   const GradedArray sum = near_border.select(to.u + u, to.v + v);
   const GradedArray product = near_border.select(to.u * u, to.v * v);
@@ -108,6 +122,7 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const GradedArray along = zone.length * to.du * dx;
   const double heated = zone.slips() ? 6 * zone.length : 0;
   graded.exchanged = edge_measure(zone, to) * along;
+  if (mirrors(zone, from)) graded.mirrored = edge_measure(zone, {to.v, to.u, to.du}) * along;
   graded.heat = heated * along * (to.u * to.v).square() * omega;
   return graded;
 }
@@ -132,42 +147,60 @@ std::vector<Kernels> kernels_along(const ZoneRule& graded, double peclet) {
   return k;
 }
 
-KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& graded) {
+KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& graded, bool heats) {
   const std::vector<Kernels> first = kernels_along(graded, pair.peclet);
-  const bool alike = pair.peclet == pair.peclet_2;
+  const bool alike = pair.peclet == pair.peclet_2, mirrored = graded.mirrored.size() > 0;
   const std::vector<Kernels> second = alike ? first : kernels_along(graded, pair.peclet_2);
-  KernelWeights weights(graded.x.size(), node_weights);
+  const double twice = graded.upstream ? -2 : 0;
+  const GradedArray ahead_1 = (twice * pair.peclet * graded.apart).max(-700).exp();
+  const GradedArray ahead_2 = (twice * pair.peclet_2 * graded.apart).max(-700).exp();
+  KernelWeights weights(graded.x.size(), mirrored ? (heats ? 9 : 7) : 5);
   for (Index i = 0; i < graded.x.size(); ++i) {
     const Kernels& k1 = first[static_cast<std::size_t>(i)];
     const Kernels& k2 = second[static_cast<std::size_t>(i)];
-    const double flux = graded.exchanged[i], twice = -2 * graded.apart[i];
-    const double m1 = k1.m_down * (graded.upstream ? std::exp(twice * pair.peclet) : 1);
-    const double m2 = k2.m_down * (graded.upstream ? std::exp(twice * pair.peclet_2) : 1);
+    const double flux = graded.exchanged[i], heat = graded.heat[i] * pair.share;
+    const double m1 = k1.m_down * ahead_1[i], m2 = k2.m_down * ahead_2[i];
     const double slope = graded.upstream ? pair.slope * k1.n1 + pair.slope_2 * k2.n1 : 0;
-    const double strain = graded.upstream ? pair.strain * k1.n2_up + pair.strain_2 * k2.n2_up
-                                          : pair.strain * k1.n2_down + pair.strain_2 * k2.n2_down;
-    weights.row(i) << flux * (m1 + pair.ratio * m2), flux * m1, flux * slope, flux * strain,
-        graded.heat[i] * pair.share * (m2 - m1);
+    const double up = pair.strain * k1.n2_up + pair.strain_2 * k2.n2_up;
+    const double down = pair.strain * k1.n2_down + pair.strain_2 * k2.n2_down;
+    weights.row(i).head<4>() << flux * (m1 + pair.ratio * m2), flux * m1, flux * slope,
+        flux * (graded.upstream ? up : down);
+    if (heats) weights.row(i).tail<1>() << heat * (m2 - m1);
+    if (!mirrored) continue;
+    const double image = graded.mirrored[i];
+    weights.row(i).segment<3>(4) << image * (k1.m_down + pair.ratio * k2.m_down), image * k1.m_down,
+        image * down;
+    if (heats) weights(i, 7) = heat * (k2.m_down - k1.m_down);
   }
   return weights;
+}
+
+/// The columns of E begin at this one. In a mirror image there is no slope, and odd polynomials
+/// have the other sign.
+void add_sums(const Sums& sums, bool image, Index row, Index column, ExchangeRows& rows) {
+  const Index n = sums.cols(), terms = rows.heat.cols();
+  const auto add = [&](Index sum, MatrixXd& to, Index from, Index size) {
+    for (Index l = 0; l < size; ++l)
+      to(row, from + l) += image && l % 2 == 1 ? -sums(sum, l) : sums(sum, l);
+  };
+  add(image ? 4 : 0, rows.jump, column, n);
+  add(image ? 5 : 1, rows.temperature, column, n);
+  if (!image) add(2, rows.slope, column, n);
+  add(image ? 6 : 3, rows.strain, column, n);
+  if (column == 0) add(image ? 7 : sums.rows() - 1, rows.heat, 0, terms);
 }
 
 /// Add the rules of a zone, whose coefficients begin at this column, to the row of a target.
 void add_zone(const ExchangingPair& pair, const ZoneMap& zone, const Target& target, Index row,
               Index column, const GaussLegendre& rule, Sums& sums, ExchangeRows& rows) {
   const double fastest = std::max(pair.peclet, pair.peclet_2);
+  const bool mirrored = mirrors(zone, target), heats = !mirrored || rows.heat.cols() > 0;
   for (const int side : {1, -1}) {
-    if ((side > 0 ? target.right : target.left) == 0) continue;
+    if ((side > 0 ? target.right : target.left) == 0 || (mirrored && side < 0)) continue;
     const ZoneRule graded = zone_rule(zone, fastest, target, side, rule);
-    legendre_sums(graded.x, exchange_weights(pair, graded), sums);
-    const auto add = [&](Index sum, MatrixXd& to) {
-      to.row(row).segment(column, sums.cols()) += sums.row(sum);
-    };
-    add(0, rows.jump);
-    add(1, rows.temperature);
-    add(2, rows.slope);
-    add(3, rows.strain);
-    if (zone.slips()) rows.heat.row(row) += sums.row(4).head(rows.heat.cols());
+    legendre_sums(graded.x, exchange_weights(pair, graded, heats), sums);
+    add_sums(sums, false, row, column, rows);
+    if (mirrored) add_sums(sums, true, sums.cols() - 1 - row, column, rows);
   }
 }
 
@@ -190,13 +223,14 @@ ExchangeRows exchange_rows(const ExchangingPair& pair, const Nodes& z, const Gau
   return rows;
 }
 
-MatrixXd slopes_at_nodes(const Nodes& z, const GaussLegendre& rule) {
+MatrixXd slopes_at_nodes(const Nodes& z, const GaussLegendre& rule, const MatrixXd& values) {
   VectorXd dy_ds(z.y.size());
   for (Index i = 0; i < dy_ds.size(); ++i) {
     const SlipPoint at(1 + z.y(i), 1 - z.y(i));
     dy_ds(i) = 1 / (z.zones.slip * 6 * at.u * at.v * at.du);
   }
-  return dy_ds.asDiagonal() * by_derivatives(rule.p) * to_legendre(rule);
+  const MatrixXd series = to_legendre(rule) * values;
+  return dy_ds.asDiagonal() * (by_derivatives(rule.p) * series);
 }
 
 RowVectorXd flux_integral(const ZoneMap& zone, const GaussLegendre& rule) {
@@ -228,7 +262,7 @@ BulkExchange solve_bulk(const Scene& scene, int n) {
   bulk.root_2 = 2 * j * std::sqrt(2) * x.series.col(0).sum();
   const ArrayXd roots = bulk.root_1 * (1 + z.s).sqrt() + bulk.root_2 * (1 - z.s).sqrt();
   const VectorXd rest = f - roots.matrix();
-  const ThermalTerms smooth{rest, slopes_at_nodes(z, rules.slip) * rest, 0 * rest};
+  const ThermalTerms smooth{rest, slopes_at_nodes(z, rules.slip, rest), 0 * rest};
   const TractionOperators by = traction_operators(z, smooth, scene.friction);
   bulk.pressure = to * (by.p.col(0).array() - 2 * by.kappa(0) / pi).matrix();
   bulk.kappa = z.over_root.cwiseProduct(z.s.matrix()).dot(f);
@@ -331,7 +365,7 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
   x.temperature = rows.temperature * x.series / pi;
   x.thermal.f = rows.slope * x.series;
   x.thermal.g = scene.friction * x.thermal.f + rows.strain * x.series;
-  x.thermal.df = slopes_at_nodes(z, rules.slip) * x.thermal.f.topRows(n);
+  x.thermal.df = slopes_at_nodes(z, rules.slip, x.thermal.f.topRows(n));
   x.heat = flux_integrals(z, rules) * x.series;
   const Index last = m > 0 ? m : n;
   const MatrixXd at_edge = legendre(ArrayXd::Constant(1, m > 0 ? 1 : -1), last);

@@ -78,6 +78,8 @@ THERMOROLL_CLONES void legendre_sums(const GradedArray& y, const KernelWeights& 
   sums.resize(weights.cols(), sums.cols());
   if (weights.cols() == node_weights)
     sum_columns<node_weights>(y, weights, sums);
+  else if (weights.cols() == hot_weights)
+    sum_columns<hot_weights>(y, weights, sums);
   else
     sum_columns<most_weights>(y, weights, sums);
 }

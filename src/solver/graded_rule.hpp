@@ -15,7 +15,8 @@ template <int columns>
 using GradedArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
 using GradedArray = GradedArrays<1>;
 inline constexpr int node_weights = 5;  // kernels times heat or its derivative, at each node
-inline constexpr int most_weights = 7;  // with those of the temperature
+inline constexpr int hot_weights = 7;   // with those of the temperature
+inline constexpr int most_weights = 9;  // of crossing heat, with those of the mirror image
 using KernelWeights =
     Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns + 24, most_weights>;
 using Sums = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_weights, Eigen::Dynamic>;
@@ -42,8 +43,8 @@ void grade(GradedRule& graded, double peclet, double gap, double left, double ri
 void kernel_weights(const Conduction& c, const GradedRule& graded, Eigen::Index columns,
                     KernelWeights& weights);
 
-/// Column l of sums receives the sums of the five or seven weights times P_l(y), for all columns;
-/// a multiple of four nodes.
+/// Column l of sums receives the sums of the weights times P_l(y), for all five, seven or nine
+/// columns; a multiple of four nodes.
 void legendre_sums(const GradedArray& y, const KernelWeights& weights, Sums& sums);
 
 /// From sums with P_l, a column each, to sums with P_l'.

@@ -16,20 +16,19 @@ using enum Quantity;
 
 namespace {
 
-ArrayXd conducted_upstream(const ContactGrid& grid, const VectorXd& h) {
-  const Nodes& z = grid.nodes;
+ArrayXd conducted_upstream(const ContactGrid& grid, const VectorXd& h, const ArrayXd& distance) {
+  const ZoneLengths& at = grid.nodes.zones;
   const Conduction conduction(grid.scene, !grid.crossing);
   const VectorXd smooth = without_ripples(grid.scene, h);
-  return surface_temperature(z.zones, conduction, smooth, z.zones.c0() - z.d, grid.rules.fine);
+  return heat_share(grid.scene) *
+         surface_temperature(at, conduction, smooth, at.c0() - distance, grid.rules.fine);
 }
 
-VectorXd stick_zone_temperature(const ContactGrid& grid, const VectorXd& h) {
+ArrayXd crossing_on_stick(const ContactGrid& grid, const VectorXd& h) {
   const Index m = grid.nodes.d.size();
-  VectorXd values = heat_share(grid.scene) * conducted_upstream(grid, h);
-  values += grid.thermal.bulk.temperature.tail(m);
+  VectorXd values = grid.thermal.bulk.temperature.tail(m);
   if (grid.crossing) values += grid.crossing->temperature.bottomLeftCorner(m, h.size()) * h;
-  values.array() += std::abs(grid.scene.bulk_difference);
-  return to_legendre(grid.rules.stick) * values;
+  return values.array() + std::abs(grid.scene.bulk_difference);
 }
 
 double place_on_stick_zone(const ContactGrid& grid, double y) {
@@ -39,8 +38,13 @@ double place_on_stick_zone(const ContactGrid& grid, double y) {
 }
 
 void compare_with_stick_zone(Results& value, const ContactGrid& grid, const VectorXd& h) {
-  const HottestPoint top = largest_of_series(stick_zone_temperature(grid, h));
-  const double hottest = top.value - std::abs(grid.scene.bulk_difference);
+  const double lowest = std::abs(grid.scene.bulk_difference);
+  const ArrayXd crossing = crossing_on_stick(grid, h);
+  const double at_border = conducted_upstream(grid, h, ArrayXd::Zero(1))(0);
+  if (1.1 * (at_border + crossing.maxCoeff()) < value(max_temperature) + lowest) return;
+  const ArrayXd all = conducted_upstream(grid, h, grid.nodes.d) + crossing;
+  const HottestPoint top = largest_of_series(to_legendre(grid.rules.stick) * all.matrix());
+  const double hottest = top.value - lowest;
   if (hottest <= value(max_temperature)) return;
   value(max_temperature) = hottest;
   value(max_temperature_at) = place_on_stick_zone(grid, top.y);

@@ -2,12 +2,15 @@
 #include "solver/pair_table.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 
 #include <Eigen/LU>
 
 #include "solver/gauss_legendre.hpp"
+#include "support/simd.hpp"
 
 namespace thermoroll {
 
@@ -143,10 +146,9 @@ struct Cell {
 };
 
 Cell cell_of(double z) {
-  int exponent = 0;
-  const double twice = 4 * std::frexp(z, &exponent) - 2;  // from 0 to 2
-  const int half = twice < 1 ? 0 : 1;
-  return {2 * exponent + half, 2 * (twice - half) - 1};
+  const auto bits = std::bit_cast<std::uint64_t>(z);  // the exponent, the half, the place in it
+  const std::uint64_t inside = bits & ((std::uint64_t{1} << 51) - 1);
+  return {static_cast<int>(bits >> 51) - 2 * 1022, static_cast<double>(inside) * 0x1p-50 - 1};
 }
 
 double place_in(const Cell& cell) {
@@ -154,23 +156,27 @@ double place_in(const Cell& cell) {
   return std::ldexp((half + (cell.x + 1) / 2) / 4 + 0.5, (cell.number - half) / 2);
 }
 
-Remainders PairTable::operator()(double z) const {
+THERMOROLL_CLONES Remainders PairTable::operator()(double z) const {
   if (coefficients.empty()) return Remainders::Zero();
   const Cell cell = cell_of(z);
   const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / cell_nodes;
   if (at >= cells) return all_exponentials(*this, z);
   const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0)) * cell_nodes];
   const double x = at < 0 ? -1 : cell.x;  // next to zero they are constant
-  Remainders sum = c[cell_nodes - 1];
-  for (int i = cell_nodes - 1; i-- > 0;) sum = sum * x + c[i];
-  return sum;
+  Pack4 sum = {}, next;
+  double fifth = 0;
+  for (int i = cell_nodes; i-- > 0; fifth = fifth * x + c[i](4)) {
+    load(c[i].data(), next);
+    sum = sum * x + next;
+  }
+  return {sum[0], sum[1], sum[2], sum[3], fifth};
 }
 
-/// The exponentials of eight octaves: exp(-u z) for each place of an octave (columns) and each u
-/// from a first one on that counts (rows), and the Taylor coefficients of the sum of those before.
+/// The exponentials of eight octaves: exp(-u z) for each place of an octave (rows) and as many u
+/// from a first one on as count (columns), and the Taylor coefficients of the sum of those before.
 struct OctaveSums {
-  Eigen::Index first = 0;
-  Eigen::ArrayXXd powers{};
+  Eigen::Index first = 0, count = 0;
+  Eigen::Array<double, 2 * cell_nodes, Eigen::Dynamic> powers{};
   Eigen::Matrix<double, 3, 6> taylor{};
 };
 
@@ -179,14 +185,12 @@ void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density
   const auto below = [&](double u) -> Eigen::Index {
     return std::lower_bound(of.u.begin(), of.u.end(), u) - of.u.begin();
   };
-  const Eigen::Index end = below(50 / z.minCoeff());
-  if (octave % 8 > 0) {
-    x.powers = x.powers.topRows(end - x.first).square().eval();
-    return;
-  }
+  const bool anew = octave % 8 == 0;
+  if (anew) x.first = below(0x1p-15 / z.maxCoeff());
+  x.count = below(50 / z.minCoeff()) - x.first;
+  if (!anew) return;
   const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
-  x.first = below(0x1p-15 / z.maxCoeff());
-  x.powers = (-u.segment(x.first, end - x.first).matrix() * z.matrix().transpose()).array();
+  x.powers = (-z.matrix() * u.segment(x.first, x.count).matrix().transpose()).array();
   x.powers = x.powers.max(-50).exp();
   Eigen::ArrayXd power = Eigen::ArrayXd::Ones(x.first);  // (-u)^k / k!
   for (int k = 0; k < x.taylor.cols(); ++k) {
@@ -195,8 +199,23 @@ void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density
   }
 }
 
-Densities sums_of(const OctaveSums& x, const Densities& density, const Eigen::ArrayXd& z) {
-  Densities all = density.middleCols(x.first, x.powers.rows()) * x.powers.matrix();
+THERMOROLL_CLONES void sum_and_square(const double* density, OctaveSums& x, double* sums) {
+  for (int place = 0; place < 2 * cell_nodes; place += 4) {
+    Pack4 sum[3] = {}, p;
+    for (Eigen::Index i = 0; i < x.count; ++i) {
+      double* power = &x.powers(place, i);
+      load(power, p);
+      for (int of = 0; of < 3; ++of) sum[of] += density[3 * i + of] * p;
+      store(p * p, power);
+    }
+    for (int of = 0; of < 3; ++of) store(sum[of], sums + 2 * cell_nodes * of + place);
+  }
+}
+
+Densities sums_of(OctaveSums& x, const Densities& density, const Eigen::ArrayXd& z) {
+  Eigen::Matrix<double, 2 * cell_nodes, 3> sums;
+  sum_and_square(density.data() + 3 * x.first, x, sums.data());
+  Densities all = sums.transpose();
   Eigen::ArrayXd power = Eigen::ArrayXd::Ones(z.size());
   for (int k = 0; k < x.taylor.cols(); ++k) {
     all += x.taylor.col(k) * power.matrix().transpose();

@@ -20,11 +20,11 @@ constexpr double underflow_distance = 350;  // exp(-2 zeta) is 1e-304 here
 
 /// M(side zeta), zeta > 0.
 GradedArray temperature_kernel(const Conduction& c, double side, const GradedArray& zeta) {
+  if (c.pair) return pair_temperatures(c, side, zeta);
   const std::vector<Kernels> k = at_distances(c, zeta);
   GradedArray m(zeta.size());
   for (Index i = 0; i < m.size(); ++i) m[i] = k[static_cast<std::size_t>(i)].m_down;
   if (side < 0) return m;
-  if (c.pair) return m * upstream_shares(c, zeta);
   return m * (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
 }
 

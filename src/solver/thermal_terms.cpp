@@ -25,15 +25,15 @@ FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, con
   const Index rows = further.size(), columns = zeta.size();
   FurtherKernels k{MatrixXd(rows, columns), MatrixXd(rows, columns), {}};
   if (temperature) k.m.resize(rows, columns);
-  for (Index i = 0; i < columns; ++i) {
-    const ArrayXd at = zeta(i) + further;
+  for (Index j = 0; j < rows; ++j) {
+    const ArrayXd at = zeta + further(j);
     const std::vector<Kernels> all = at_distances(c, at);
     const ArrayXd share = temperature ? upstream_shares(c, at) : ArrayXd();
-    for (Index j = 0; j < rows; ++j) {
-      const Kernels& here = all[static_cast<std::size_t>(j)];
+    for (Index i = 0; i < columns; ++i) {
+      const Kernels& here = all[static_cast<std::size_t>(i)];
       k.n1(j, i) = here.n1;
       k.n2(j, i) = here.n2_up;
-      if (temperature) k.m(j, i) = here.m_down * share(j);
+      if (temperature) k.m(j, i) = here.m_down * share(i);
     }
   }
   return k;
@@ -77,7 +77,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   if (scene.law) thermal.temperature.setZero(n + m, terms);
   GradedRule graded;
   KernelWeights weights;
-  const Index columns = scene.law ? most_weights : node_weights;
+  const Index columns = scene.law ? hot_weights : node_weights;
   Sums sums(columns, terms);
   MatrixXd by_dh(n, terms);
   RowVectorXd mirror = RowVectorXd::Ones(terms);
