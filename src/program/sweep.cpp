@@ -4,7 +4,7 @@
 #include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#ifdef __GLIBC__
+#if defined(__GLIBC__)
 #include <malloc.h>
 #endif
 
@@ -155,7 +155,7 @@ void Sweep::start_another(std::vector<std::thread>& threads) {
 }
 
 void keep_freed_memory() {
-#ifdef __GLIBC__
+#if defined(__GLIBC__)
   mallopt(M_MMAP_THRESHOLD, 1 << 25);
   mallopt(M_TRIM_THRESHOLD, 1 << 26);
 #endif

@@ -10,27 +10,34 @@ using Eigen::Index;
 using Given = Eigen::Ref<const Eigen::MatrixXd>;
 using Changed = Eigen::Ref<Eigen::MatrixXd>;
 
-template <int columns>
+template <int packs, int columns>
 [[gnu::always_inline]] inline void add_block(double sign, const Given& a, const Given& b, Index i,
                                              Index j, Changed& c) {
-  Pack4 sum[columns] = {}, rows;
-  for (Index k = 0; k < a.cols(); ++k) {
-    load(a.data() + i + k * a.outerStride(), rows);
-    for (int l = 0; l < columns; ++l) sum[l] += rows * b(k, j + l);
-  }
-  for (int l = 0; l < columns; ++l) {
-    load(&c(i, j + l), rows);
-    store(rows + sign * sum[l], &c(i, j + l));
-  }
+  Pack4 sum[packs][columns] = {}, rows;
+  for (Index k = 0; k < a.cols(); ++k)
+    for (int r = 0; r < packs; ++r) {
+      load(a.data() + i + 4 * r + k * a.outerStride(), rows);
+      for (int l = 0; l < columns; ++l) sum[r][l] += rows * b(k, j + l);
+    }
+  for (int r = 0; r < packs; ++r)
+    for (int l = 0; l < columns; ++l) {
+      load(&c(i + 4 * r, j + l), rows);
+      store(rows + sign * sum[r][l], &c(i + 4 * r, j + l));
+    }
+}
+
+template <int packs>
+[[gnu::always_inline]] inline void add_rows(double sign, const Given& a, const Given& b, Index i,
+                                            Changed& c) {
+  Index j = 0;
+  for (; j + 4 <= b.cols(); j += 4) add_block<packs, 4>(sign, a, b, i, j, c);
+  for (; j < b.cols(); ++j) add_block<packs, 1>(sign, a, b, i, j, c);
 }
 
 THERMOROLL_CLONES void add_fours(double sign, const Given& a, const Given& b, Changed c) {
-  for (Index i = 0; i < a.rows(); i += 4) {
-    Index j = 0;
-    for (; j + 8 <= b.cols(); j += 8) add_block<8>(sign, a, b, i, j, c);
-    for (; j + 4 <= b.cols(); j += 4) add_block<4>(sign, a, b, i, j, c);
-    for (; j < b.cols(); ++j) add_block<1>(sign, a, b, i, j, c);
-  }
+  Index i = 0;
+  for (; i + 8 <= a.rows(); i += 8) add_rows<2>(sign, a, b, i, c);
+  if (i < a.rows()) add_rows<1>(sign, a, b, i, c);
 }
 
 void add_product(double sign, const Given& a, const Given& b, Changed c) {
