@@ -2,9 +2,11 @@
 #include "program/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <string_view>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -47,13 +49,34 @@ RollerKind kind_of(const Scene& scene) {
   return alike ? RollerKind::identical : RollerKind::conducting;
 }
 
-void share_heat(json& o, const Scene& scene, const Results& x) {
+/// Values by their keys, which are constants, in the order in which the keys are first set.
+struct Object {
+  struct Entry {
+    std::string_view key;
+    json value;
+  };
+  std::vector<Entry> entries;
+  json& operator[](std::string_view key) {
+    for (Entry& x : entries)
+      if (x.key == key) return x.value;
+    entries.push_back({key, {}});
+    return entries.back().value;
+  }
+};
+
+json to_json(const Object& values) {
+  json o = json::object();
+  for (const auto& [key, value] : values.entries) o[std::string(key)] = value;
+  return o;
+}
+
+void share_heat(Object& o, const Scene& scene, const Results& x) {
   const double heat = effusivity_share(scene) * x(Quantity::heat_integral);
   o["heat_1"] = heat;
   o["heat_2"] = effusivity_ratio(scene) * heat;
 }
 
-void share_heat_with(const CrossingHeat& crossing, json& o, json& error, const Solution& x) {
+void share_heat_with(const CrossingHeat& crossing, Object& o, Object& error, const Solution& x) {
   const double heat = x.value(Quantity::heat_integral), bulk = x.scene.bulk_difference;
   const double heat_1 = heat_share(x.scene) * heat + crossing.heat;
   const double left = (*x.error)(Quantity::heat_integral) + crossing.heat_error;
@@ -63,7 +86,7 @@ void share_heat_with(const CrossingHeat& crossing, json& o, json& error, const S
   error["heat_1"] = error["heat_2"] = left;
 }
 
-void add_exchange(json& o, json* error, const Solution& x) {
+void add_exchange(Object& o, Object* error, const Solution& x) {
   const Scene& scene = x.scene;
   const bool insulated = scene.roller.conductivity_ratio == 0, bulk = scene.bulk_difference != 0;
   const double uniform = heat_share(scene) * x.value(Quantity::heat_integral);
@@ -84,7 +107,7 @@ void add_exchange(json& o, json* error, const Solution& x) {
   tell("edge_log_coefficient", unit * edge.edge, std::abs(unit) * edge.edge_error);
 }
 
-void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {
+void describe_law(Object& o, const Scene& scene, const CoupledSolution* found) {
   const auto* law = scene.law.target<LawOfFriction>();
   std::optional<LawKind> kind;
   if (law != nullptr) kind = law->kind;
@@ -98,7 +121,7 @@ void describe_law(json& o, const Scene& scene, const CoupledSolution* found) {
 }
 
 /// Put in the values, and their errors where there is an object for them.
-void add_limits(json& o, json* error, const Solution& x) {
+void add_limits(Object& o, Object* error, const Solution& x) {
   const auto* found = std::get_if<CoupledSolution>(&x.found);
   const std::optional<Estimate> least = least_friction(x);
   const bool limited = found != nullptr && found->limit;
@@ -115,38 +138,36 @@ void add_limits(json& o, json* error, const Solution& x) {
 }
 
 template <class T, std::size_t n>
-json object(const Row<T> (&rows)[n], const T& values) {
-  json o;
+void add(Object& o, const Row<T> (&rows)[n], const T& values) {
   for (const Row<T>& row : rows) o[row.name] = values.*row.value;
-  return o;
 }
 
-json object(const Results& values) {
-  json o;
+void add(Object& o, const Results& values) {
   for (const Reported& row : reported) o[row.key] = values(row.quantity);
-  return o;
 }
 
-/// The objects of data in SI units.
-void add_physical(json& o, const FoundInSi& physical) {
+void add_physical(Object& o, Object& error, const FoundInSi& physical) {
   const char* contact = "contact_temperature_celsius";
   const std::optional<double>& temperature = physical.contact_temperature_celsius;
-  json values = object(physical_rows, physical.value), error;
-  values[contact] = temperature ? json(*temperature) : json();
-  if (physical.error) {
-    error = object(physical_rows, *physical.error);
-    error[contact] = temperature ? json(physical.error->max_temperature_celsius) : json();
-  }
-  values["error_estimate"] = error;
-  o["physical"] = values;
-  o["notes"] = physical.notes;
+  add(o, physical_rows, physical.value);
+  o[contact] = temperature ? json(*temperature) : json();
+  if (!physical.error) return;
+  add(error, physical_rows, *physical.error);
+  error[contact] = temperature ? json(physical.error->max_temperature_celsius) : json();
 }
+
+/// What is told of a solution. The errors are empty where none are known.
+struct Told {
+  Object value, error, physical, physical_error;
+};
 
 /// Whether the whole contact slips.
 bool all_slips(const Solution& x) { return x.value(Quantity::stick_slip_border) == -1; }
 
-json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
-  json o, error = x.error ? object(*x.error) : json();
+Told told_of(const Solution& x, const std::optional<FoundInSi>& physical) {
+  Told told;
+  Object &o = told.value, &error = told.error;
+  if (x.error) add(error, *x.error);
   const auto* scheme = std::get_if<PublishedSolution>(&x.found);
   o["method"] = name_of(method_names, x.approach.method);
   o["model"] = scheme ? json() : json(name_of(model_names, *x.model));
@@ -168,7 +189,7 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["bulk_difference"] = insulated ? json() : json(x.scene.bulk_difference);
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   describe_law(o, x.scene, coupled);
-  o.update(object(x.value));
+  add(o, x.value);
   share_heat(o, x.scene, x.value);
   if (x.error) share_heat(error, x.scene, *x.error);
   o["heat_partition"] = effusivity_share(x.scene);
@@ -185,8 +206,18 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["violations"] = json::array();
   for (const auto& [what, from, to] : x.violations)
     o["violations"].push_back({{"what", what}, {"from", from}, {"to", to}});
-  o["error_estimate"] = error;
-  if (physical) add_physical(o, *physical);
+  if (physical) add_physical(told.physical, told.physical_error, *physical);
+  return told;
+}
+
+json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
+  const Told told = told_of(x, physical);
+  json o = to_json(told.value);
+  o["error_estimate"] = x.error ? to_json(told.error) : json();
+  if (!physical) return o;
+  o["physical"] = to_json(told.physical);
+  o["physical"]["error_estimate"] = physical->error ? to_json(told.physical_error) : json();
+  o["notes"] = physical->notes;
   return o;
 }
 
@@ -218,48 +249,48 @@ std::string digits(double x, int significant) {
   return out.str();
 }
 
+std::string list_cell(const json& value) {
+  std::string list;
+  for (const json& x : value) {
+    if (!list.empty()) list += "; ";
+    list += x.is_string() ? x.get<std::string>()
+                          : x["what"].get<std::string>() + ' ' + digits(x["from"], 6) + ".." +
+                                digits(x["to"], 6);
+  }
+  return list;
+}
+
 std::string csv_cell(const json& value) {
   if (value.is_null()) return "";
-  if (value.is_array()) {
-    std::string list;
-    for (const json& x : value) {
-      if (!list.empty()) list += "; ";
-      list += x.is_string() ? x.get<std::string>()
-                            : x["what"].get<std::string>() + ' ' + digits(x["from"], 6) + ".." +
-                                  digits(x["to"], 6);
-    }
-    return list;
-  }
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  if (value.is_array()) return list_cell(value);
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_number_float() || !std::isfinite(value.get<double>())) return value.dump();
+  std::array<char, 64> text{};
+  char* const first = text.data();
+  return {first, nlohmann::detail::to_chars(first, first + text.size(), value.get<double>())};
 }
 
-void flatten(const json& o, const std::string& prefix, std::vector<Field>& fields) {
-  for (const auto& [key, value] : o.items())
-    if (value.is_object())
-      flatten(value, prefix + key + ".", fields);
-    else
-      fields.push_back({prefix + key, csv_cell(value)});
+constexpr std::string_view of_a_roller[] = {
+    "roller",           "direction",     "heating_2",       "conductivity_ratio",  "peclet_2",
+    "effusivity_ratio", "heat_1",        "heat_2",          "heat_partition",      "exchanged_heat",
+    "no_slip_traction", "no_slip_creep", "bulk_difference", "edge_log_coefficient"};
+constexpr std::string_view of_a_law[] = {
+    "friction_law", "friction_temperature", "friction_floor", "friction_reference_temperature",
+    "branch",       "friction_min",         "traction_limit", "creep_at_traction_limit"};
+
+bool is_left_out(std::string_view key, const MoreColumns& with) {
+  const auto is_in = [&](const auto& keys) {
+    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
+  };
+  return (!with.roller && is_in(of_a_roller)) || (!with.law && is_in(of_a_law)) ||
+         (!with.roller && !with.law && key == "full_slip") ||
+         (!with.bulk && key == "contact_temperature_celsius");
 }
 
-void erase_keys(json& o, const std::vector<const char*>& keys) {
-  for (const char* key : keys) {
-    o.erase(key);
-    o["error_estimate"].erase(key);
-  }
-}
-
-void leave_out(json& o, const MoreColumns& with) {
-  if (!with.roller)
-    erase_keys(o, {"roller", "direction", "heating_2", "conductivity_ratio", "peclet_2",
-                   "effusivity_ratio", "bulk_difference", "heat_1", "heat_2", "heat_partition",
-                   "exchanged_heat", "no_slip_traction", "no_slip_creep", "edge_log_coefficient"});
-  if (!with.law)
-    erase_keys(o, {"friction_law", "friction_temperature", "friction_floor",
-                   "friction_reference_temperature", "branch", "friction_min", "traction_limit",
-                   "creep_at_traction_limit"});
-  if (!with.roller && !with.law) o.erase("full_slip");
-  if (!with.bulk && o.contains("physical"))
-    erase_keys(o["physical"], {"contact_temperature_celsius"});
+void add_fields(std::vector<Field>& fields, const std::string& prefix, const Object& values,
+                const MoreColumns& with) {
+  for (const auto& [key, value] : values.entries)
+    if (!is_left_out(key, with)) fields.push_back({prefix + std::string(key), csv_cell(value)});
 }
 
 std::string in_both(double value, const std::optional<Units>& units, double Units::*unit) {
@@ -420,21 +451,23 @@ ColumnMeaning meaning_of(const std::string& column) {
 std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>& physical,
                               const MoreColumns& with) {
   require_finite(x, physical);
-  json o = to_json(x, physical);
+  Told told = told_of(x, physical);
   if (!x.error) {
-    for (const Reported& row : reported) o["error_estimate"][row.key] = nullptr;
+    for (const Reported& row : reported) told.error[row.key] = nullptr;
     for (const char* key :
          {"heat_1", "heat_2", "exchanged_heat", "no_slip_traction", "no_slip_creep",
           "edge_log_coefficient", "friction_min", "traction_limit", "creep_at_traction_limit"})
-      o["error_estimate"][key] = nullptr;
+      told.error[key] = nullptr;
   }
-  if (physical && !physical->error) {
-    for (const auto& row : physical_rows) o["physical"]["error_estimate"][row.name] = nullptr;
-    o["physical"]["error_estimate"]["contact_temperature_celsius"] = nullptr;
-  }
-  leave_out(o, with);
+  if (physical && !physical->error)
+    for (const auto& [key, value] : told.physical.entries) told.physical_error[key] = nullptr;
   std::vector<Field> fields;
-  flatten(o, "", fields);
+  fields.reserve(150);
+  add_fields(fields, "", told.value, with);
+  add_fields(fields, "error_estimate.", told.error, with);
+  add_fields(fields, "physical.", told.physical, with);
+  add_fields(fields, "physical.error_estimate.", told.physical_error, with);
+  if (physical) fields.push_back({"notes", csv_cell(physical->notes)});
   return fields;
 }
 

@@ -243,16 +243,17 @@ std::vector<WrittenColumn> wanted_columns(const SweepTable& t) {
   return wanted;
 }
 
-std::vector<std::string> values_of(const SweepTable& t, const std::vector<Field>& found,
+std::vector<std::string> values_of(const SweepTable& t, std::vector<Field> found,
                                    const std::string& status, const std::string& error) {
   std::vector<std::string> values;
+  values.reserve(t.fields.size());
   auto next = found.begin();
   for (const std::string& name : t.fields) {
     const auto is_it = [&](const Field& field) { return field.name == name; };
     auto at = std::find_if(next, found.end(), is_it);
     if (at == found.end()) at = std::find_if(found.begin(), next, is_it);
     const bool is_found = !name.empty() && at != found.end() && is_it(*at);
-    values.push_back(is_found ? at->cell : "");
+    values.push_back(is_found ? std::move(at->cell) : "");
     if (is_found) next = at + 1;
   }
   values.end()[-2] = status;
@@ -260,10 +261,11 @@ std::vector<std::string> values_of(const SweepTable& t, const std::vector<Field>
   return values;
 }
 
-std::string cell_of(const WrittenColumn& x, const std::vector<std::string>& cells,
-                    const std::vector<std::string>& values) {
+const std::string& cell_of(const WrittenColumn& x, const std::vector<std::string>& cells,
+                           const std::vector<std::string>& values) {
+  static const std::string empty;
   if (x.cell && *x.cell < cells.size() && !cells[*x.cell].empty()) return cells[*x.cell];
-  return x.field ? values[*x.field] : "";
+  return x.field ? values[*x.field] : empty;
 }
 
 nlohmann::ordered_json json_of(const std::string& cell, bool is_label) {
@@ -392,10 +394,10 @@ SweepRow answer(const SweepTable& t, const std::string& line) {
     const SolvedScene x = solve_scene(read_scene(read_row(settings_of(t, cells))));
     found = csv_fields(x.solution, x.physical, t.with);
     require_contact(x.solution);
-    return {row_text(t, cells, values_of(t, found, "0", "")), true};
+    return {row_text(t, cells, values_of(t, std::move(found), "0", "")), true};
   } catch (const std::exception& error) {
     const std::string status = std::to_string(status_of(error));
-    return {row_text(t, cells, values_of(t, found, status, message_of(error))), false};
+    return {row_text(t, cells, values_of(t, std::move(found), status, message_of(error))), false};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "solver/graded_rule.hpp"
+#include "solver/product.hpp"
 #include "solver/surface.hpp"
 
 namespace thermoroll {
@@ -138,22 +139,26 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   tractions.gamma0 = z.over_root.transpose() * thermal.f / pi;
   tractions.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
   MatrixXd in_p(n, n + m), in_v(n, m);
-  for (Index i = 0; i < n; ++i) {
-    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
-    for (Index j = 0; j < n; ++j) {
-      const SlipPoint to(1 + z.y(j), 1 - z.y(j));
+  std::vector<SlipPoint> points;
+  for (Index i = 0; i < n; ++i) points.emplace_back(1 + z.y(i), 1 - z.y(i));
+  for (Index j = 0; j < n; ++j) {
+    const SlipPoint& to = points[static_cast<std::size_t>(j)];
+    for (Index i = 0; i < n; ++i) {
+      const SlipPoint& at = points[static_cast<std::size_t>(i)];
       in_p(i, j) = j == i ? 0 : z.over_root(j) / (z.zones.slip * t_difference(at, to, to.y - at.y));
     }
-    const ArrayXd away = z.zones.slip * z.t(i) + z.d;  // s - r
-    in_p.row(i).tail(m) = -z.over_root.tail(m).array() / away;
-    in_v.row(i) = z.over_w / away;
+  }
+  for (Index j = 0; j < m; ++j) {
+    const ArrayXd away = z.zones.slip * z.t + z.d(j);  // s - r
+    in_p.col(n + j) = -z.over_root(n + j) / away;
+    in_v.col(j) = z.over_w(j) / away;
   }
   const VectorXd all_p = in_p.rowwise().sum(), less_v = -in_v.rowwise().sum();
   tractions.p =
       all_p.asDiagonal() * thermal.f.topRows(n) - z.over_root.head(n).asDiagonal() * thermal.df;
   tractions.v = less_v.asDiagonal() * thermal.g.topRows(n);
-  tractions.p.noalias() -= in_p * thermal.f;
-  tractions.v.noalias() += in_v * thermal.g.bottomRows(m);
+  add_product(-1, in_p, thermal.f, tractions.p);
+  add_product(1, in_v, thermal.g.bottomRows(m), tractions.v);
   tractions.p = (tractions.p.rowwise() + 2 * tractions.kappa) / pi;
   tractions.v = (tractions.v.rowwise() + 2 * friction * tractions.kappa) / pi;
   if (thermal.bulk.g.size() > 0) {

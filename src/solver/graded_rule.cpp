@@ -11,30 +11,43 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void grade(GradedRule& graded, double peclet, double gap, double left, double right,
-           const GaussLegendre& rule) {
+THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, double left,
+                             double right, const GaussLegendre& rule) {
   const SlipPoint from(left, right);
   const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27);
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
   const double ell = std::log1p(right / delta);
   const GradedArray power = ell * rule.cube, grown = power.exp();
-  GradedArray step = delta * (grown - 1);
-  for (Index i = 0; i < step.size() && power[i] < 0.1; ++i) step[i] = delta * std::expm1(power[i]);
-  const GradedArray dy = 1.5 * ell * delta * rule.w * rule.rho.square() * grown;
-  graded.y = from.y + step;
-  const GradedArray eta = left + step, rest = right - step;
-  const GradedArray u = slip_cubic(eta), v = slip_cubic(rest), du = (3 + 12 * eta * rest) / 22;
-  const GradedArray slope = (15 - 4 * (from.y * (from.y + graded.y) + graded.y.square())) / 22;
-  const auto near_left = u + from.u < 1;
-  const GradedArray x = near_left.select(u + from.u, v + from.v);
-  const GradedArray product = near_left.select(u * from.u, v * from.v);
-  const GradedArray apart = step * slope * (3 * x - 2 * (x.square() - product));
-  graded.zeta = peclet * (apart + gap);
-  const GradedArray omega = ((1 + 2 * u) * (1 + 2 * v)).sqrt(), uv = u * v;
-  const GradedArray middle = v.square() * (1 + 2 * u) - u.square() * (1 + 2 * v);  // 1 - 2t
-  graded.by_dh = uv * omega * dy;
-  graded.heat = 6 * uv * du * graded.by_dh;
-  graded.by_h = 3 * middle / omega * du * dy;
+  GradedArray steps = delta * (grown - 1);
+  for (Index i = 0; i < steps.size() && power[i] < 0.1; ++i)
+    steps[i] = delta * std::expm1(power[i]);
+  const GradedArray dys = 1.5 * ell * delta * rule.w * rule.rho.square() * grown;
+  const GradedArray etas = left + steps, rests = right - steps;
+  const GradedArray us = slip_cubic(etas), vs = slip_cubic(rests);
+  for (GradedArray* x : {&graded.y, &graded.zeta, &graded.heat, &graded.by_h, &graded.by_dh})
+    x->resize(steps.size());
+  Pack4 step, dy, u, v;
+  for (Index k = 0; k < steps.size(); k += 4) {
+    load(&steps[k], step);
+    load(&dys[k], dy);
+    load(&us[k], u);
+    load(&vs[k], v);
+    const Pack4 y = from.y + step, du = (3 + 12 * (left + step) * (right - step)) / 22;
+    const Pack4 slope = (15 - 4 * (from.y * (from.y + y) + y * y)) / 22;
+    const auto near_left = u + from.u < 1;
+    const Pack4 x = near_left ? u + from.u : v + from.v;
+    const Pack4 product = near_left ? u * from.u : v * from.v;
+    const Pack4 apart = step * slope * (3 * x - 2 * (x * x - product));
+    store(y, &graded.y[k]);
+    store(peclet * (apart + gap), &graded.zeta[k]);
+    Pack4 omega = (1 + 2 * u) * (1 + 2 * v);
+    for (int i = 0; i < 4; ++i) omega[i] = std::sqrt(omega[i]);
+    const Pack4 uv = u * v, by_dh = uv * omega * dy;
+    const Pack4 middle = v * v * (1 + 2 * u) - u * u * (1 + 2 * v);  // 1 - 2t
+    store(by_dh, &graded.by_dh[k]);
+    store(6 * uv * du * by_dh, &graded.heat[k]);
+    store(3 * middle / omega * du * dy, &graded.by_h[k]);
+  }
 }
 
 void kernel_weights(const Conduction& c, const GradedRule& graded, Index columns,
@@ -55,21 +68,26 @@ template <Index columns>
                                                Sums& sums) {
   GradedArray now = GradedArray::Ones(y.size()), next = y;
   Pack4 x, p, q, weight;
-  for (Index l = 0; l < sums.cols(); ++l) {
+  for (Index l = 0; l < sums.cols(); l += 2) {
+    Pack4 even[columns] = {}, odd[columns] = {};
     const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
-    Pack4 sum[columns] = {};
+    const double below = 1 - 1 / static_cast<double>(l + 3), above = 1 + below;
     for (Index k = 0; k < y.size(); k += 4) {
       load(&y[k], x);
       load(&now[k], p);
       load(&next[k], q);
       for (Index w = 0; w < columns; ++w) {
         load(&weights(k, w), weight);
-        sum[w] += weight * p;
+        even[w] += weight * p;
+        odd[w] += weight * q;
       }
-      store(q, &now[k]);
-      store(up * x * q - down * p, &next[k]);
+      p = up * x * q - down * p;
+      store(p, &now[k]);
+      store(above * x * p - below * q, &next[k]);
     }
-    for (Index w = 0; w < columns; ++w) sums(w, l) = sum_of(sum[w]);
+    for (Index w = 0; w < columns; ++w) sums(w, l) = sum_of(even[w]);
+    if (l + 1 == sums.cols()) break;
+    for (Index w = 0; w < columns; ++w) sums(w, l + 1) = sum_of(odd[w]);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "solver/exchange.hpp"
 #include "solver/graded_rule.hpp"
+#include "solver/product.hpp"
 
 namespace thermoroll {
 
@@ -49,8 +50,9 @@ void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction
   const bool law = scene.law != nullptr;
   const FurtherKernels to_stick = kernels_further(conduction, graded.zeta, further, law);
   const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, thermal.f.cols());
-  thermal.f.bottomRows(m).noalias() = to_stick.n1 * heat;
-  thermal.g.bottomRows(m).noalias() = to_stick.n2 * heat;
+  thermal.f.bottomRows(m).setZero();
+  add_product(1, to_stick.n1, heat, thermal.f.bottomRows(m));
+  add_product(1, to_stick.n2, heat, thermal.g.bottomRows(m));
   if (law) thermal.temperature.bottomRows(m).noalias() = to_stick.m * heat;
 }
 

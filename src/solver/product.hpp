@@ -1,0 +1,12 @@
+// Tangled from paper/E-fast-kernels.md; edit there.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace thermoroll {
+
+/// c += sign a b, to the last bit as Eigen computes it with two numbers at a time.
+void add_product(double sign, const Eigen::Ref<const Eigen::MatrixXd>& a,
+                 const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> c);
+
+}  // namespace thermoroll
