@@ -26,25 +26,34 @@ ArrayXd strain_on_stick(const ContactGrid& grid, const VectorXd& h) {
   return g;
 }
 
-/// At the slip nodes: p-hat, phi and its derivative, v-hat, for a share of H.
+/// At the slip nodes: p-hat, T*, phi and its derivative, v-hat, for a share of H.
 struct LawAtNodes {
-  ArrayXd pressure, phi, slope, slip;
+  ArrayXd pressure, temperature, phi, slope, slip;
   ArrayXd by_pressure, by_temperature;  // their derivatives, by the weights of the node
 };
 
-LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
+/// Without v-hat.
+LawAtNodes friction_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
-  ArrayXd temperature = share * (grid.thermal.temperature.topRows(x.p.rows()) * h).array();
-  if (grid.hot->bulk.size() > 0) temperature += grid.hot->bulk.head(x.p.rows());
-  LawAtNodes at{share * (x.p * h).array() + x.p0, temperature, temperature, {}, {}, {}};
-  for (Index i = 0; i < temperature.size(); ++i) {
-    const RelativeFriction friction = grid.scene.law(temperature(i));
+  LawAtNodes at;
+  at.pressure = share * (x.p * h).array() + x.p0;
+  at.temperature = share * (grid.thermal.temperature.topRows(x.p.rows()) * h).array();
+  if (grid.hot->bulk.size() > 0) at.temperature += grid.hot->bulk.head(x.p.rows());
+  at.phi = at.slope = at.temperature;
+  for (Index i = 0; i < at.phi.size(); ++i) {
+    const RelativeFriction friction = grid.scene.law(at.temperature(i));
     at.phi(i) = friction.value;
     at.slope(i) = friction.slope;
   }
+  return at;
+}
+
+LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
+  const TractionOperators& x = grid.tractions;
+  LawAtNodes at = friction_at_nodes(grid, share, h);
   const VectorXd lost = (1 - at.phi) * at.pressure;
   at.by_pressure = grid.hot->at_node * at.pressure.matrix();
-  at.by_temperature = grid.hot->at_node * temperature.matrix();
+  at.by_temperature = grid.hot->at_node * at.temperature.matrix();
   at.slip = (grid.hot->s * lost).array() + (1 - at.phi) * at.by_pressure -
             at.slope * at.pressure * at.by_temperature;
   at.slip = share * (x.v * h).array() + x.v0 + grid.scene.friction * at.slip;
@@ -83,6 +92,8 @@ int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
     const VectorXd before = h;
+    h -= change;
+    if (moved < 1e-10) return step;
     const double missed = missing.norm();
     double part = 1;
     do {
@@ -93,7 +104,6 @@ int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
       part /= 2;
     } while (part > 1e-4);
     if (!(part > 1e-4)) return 0;
-    if (moved < 1e-10) return step;
   }
   return 0;
 }
@@ -108,7 +118,7 @@ struct Lost {
 };
 
 Lost lost_friction(const ContactGrid& grid, const VectorXd& h) {
-  const LawAtNodes at = law_at_nodes(grid, 1, h);
+  const LawAtNodes at = friction_at_nodes(grid, 1, h);
   const ArrayXd lost = grid.scene.friction * (1 - at.phi) * at.pressure;
   return {(grid.hot->weight * lost).sum() / pi, (grid.hot->moment * lost).sum()};
 }
