@@ -58,12 +58,10 @@ row(kind, word, parameter, number, value) = \
   strcol(kind) eq word && column(parameter) == number ? value : NaN
 
 # The published scheme has more nodes than the eye can part: a point is drawn only when it is at
-# least this part of the plot away from every point drawn before, so that common arcs are not
-# crowded.
-spacing = 0.035
+# least 3.5 % of the plot away from every point drawn before, so that common arcs are not crowded.
 array drawn_x[1000]; array drawn_y[1000]; drawn = 0
 near(x, y, k) = \
-  ((x - drawn_x[k])/(x_max - x_min))**2 + ((y - drawn_y[k])/(y_max - y_min))**2 < spacing**2
+  ((x - drawn_x[k])/(x_max - x_min))**2 + ((y - drawn_y[k])/(y_max - y_min))**2 < 0.035**2
 apart(x, y) = drawn == 0 || (sum [k = 1:drawn] near(x, y, k)) == 0
 thinned(x, y) = y == y && apart(x, y) \
   ? (drawn = drawn + 1, drawn_x[drawn] = x, drawn_y[drawn] = y) : NaN

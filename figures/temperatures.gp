@@ -1,7 +1,6 @@
 # Surface temperature T*(s) for four Péclet numbers at four tractions (the paper's Fig. 4a to d).
 name = 'temperatures'; height = 620
 load ARG0[:strlen(ARG0) - strlen(name.'.gp')].'style.gp'
-spacing = 0.05  # small panels
 
 quantity = 'T'
 parameter = 'peclet'; symbol = 'Pe'; values = '100 500 1000 5000'

@@ -685,6 +685,15 @@ local function relative(path)
   return table.concat(out) .. (path:find("Z") and "z" or "")
 end
 
+--- Neighbouring areas of one fill as one path.
+local function joined(svg)
+  local found
+  repeat
+    svg, found = svg:gsub("(<path[^>]* d=')([^'Z]*)Z'/>%s*%1", "%1%2")
+  until found == 0
+  return svg
+end
+
 --- The drawing without marks that it does not use and without spaces between its parts, its paths by
 --- steps.
 local function shortened(svg)
@@ -696,8 +705,8 @@ local function shortened(svg)
       return not svg:find("#" .. mark .. "['\"]") and "" or nil
     end)
   end
-  return (svg:gsub("<polygon([^>]*)%spoints = '([^'>]*)'%s*/>", "<path%1 d='M%2Z'/>")
-    :gsub("%sd='(M[%d%.,%sML-]*)Z?%s*'", function(path) return " d='" .. relative(path) .. "'" end)
+  svg = svg:gsub("<polygon([^>]*)%spoints = '([^'>]*)'%s*/>", "<path%1 d='M%2Z'/>")
+  return (joined(svg):gsub("%sd='(M[%d%.,%sML-]*)Z?%s*'", function(path) return " d='" .. relative(path) .. "'" end)
     :gsub('<tspan font%-family="sans%-serif" >', "<tspan>"):gsub(">%s*\n%s*<", "><")
     :gsub("<g [^>]*></g>", ""):gsub("<title>[%w_]+_plot_%d+%a?</title>", "")) -- gnuplot's own name for a curve
 end

@@ -50,7 +50,7 @@ struct OnCurve {
 
 using Points = std::vector<OnCurve>;
 
-/// By more than rounding, as the traction of cold friction is one number in full slip.
+/// By more than rounding.
 bool is_lower(const OnCurve& a, const OnCurve& b) {
   return a.traction() < (1 - 1e-9) * b.traction();
 }
