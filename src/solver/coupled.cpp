@@ -59,6 +59,7 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   if (scene.bulk_difference != 0 || level.at.stick == 0 || no_cold) return Results::Ones();
   const Results cold = carter_values(nearest_carter(scene, given));
   Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
+  share(creep) = share(creep_constant) = std::max(share(creep), share(creep_constant));
   share += 0.05 * share.head(compared - 2).maxCoeff();
   share(heat_integral) = std::max(share(heat_integral), 0.1);
   share(max_temperature) = 1;
