@@ -708,7 +708,8 @@ local function shortened(svg)
   svg = svg:gsub("<polygon([^>]*)%spoints = '([^'>]*)'%s*/>", "<path%1 d='M%2Z'/>")
   return (joined(svg):gsub("%sd='(M[%d%.,%sML-]*)Z?%s*'", function(path) return " d='" .. relative(path) .. "'" end)
     :gsub('<tspan font%-family="sans%-serif" >', "<tspan>"):gsub(">%s*\n%s*<", "><")
-    :gsub("<g [^>]*></g>", ""):gsub("<title>[%w_]+_plot_%d+%a?</title>", "")) -- gnuplot's own name for a curve
+    :gsub("<g [^>]*></g>", ""):gsub("<title>[%w_]+_plot_%d+%a?</title>", "") -- gnuplot's own name for a curve
+    :gsub("(['#])gpPt(%d)", "%1p%2"):gsub("<tspan[^>]*></tspan></text>", "</text>"):gsub("'  d='", "' d='"))
 end
 
 --- A label as one text, whose colour and place the style sheet has unless it says otherwise.

@@ -40,7 +40,7 @@ inline int stick_nodes(int n, const ZoneLengths& at, double layer) {
 }
 
 /// Nodes of a graded rule on a grid of n unknowns; coarse grids only lead to finer ones.
-inline int graded_nodes(int n) { return n <= 12 ? 20 : std::max(28, (n + 3) / 4 * 4); }
+inline int graded_nodes(int n) { return n <= 12 ? 20 : std::max(28, (n + 7) / 4 * 4); }
 
 /// Nodes of a graded rule for temperatures: the more the faster the slip zone, lambda, is.
 inline int temperature_nodes(int n, double lambda) {

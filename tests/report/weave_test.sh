@@ -527,7 +527,7 @@ FiguresKeepTheirIdsApart() {
 ![Two.](figures/g.svg){#fig:g fig-alt="Another"}
 END
   expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
-  expect_html 'aria-label="A curve &amp; more"' "id='f-gpPt0'" "href='#f-gpPt0'" "id='g-gpPt0'" \
+  expect_html 'aria-label="A curve &amp; more"' "id='f-p0'" "href='#f-p0'" "id='g-p0'" \
     "stroke='currentColor'" "color='var(--ink-0072b2)'" "<g><path stroke='currentColor' d='m0 0 2 2'/></g>" \
     'viewBox="0 0 600 400" fill="none" stroke="currentColor" stroke-width="0.8" stroke-linecap="round"' 'id="script:f"' \
     'download="f.csv.gz"'
