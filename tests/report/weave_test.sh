@@ -28,6 +28,9 @@ draw() {
 <rect x="0" y="0" width="600" height="400" fill="#ffffff"/>
 <g fill="none" color="black" stroke="currentColor" stroke-width="0.80" stroke-linecap="round" stroke-linejoin="round">
 <path stroke='black' d='M0,0 L2,2'/></g>
+<polygon fill = 'rgb(  0, 158, 115)' points = '0,0 2,0 2,2 '/>
+<polygon fill = 'rgb(  0, 158, 115)' points = '4,0 6,0 6,2 '/>
+<polygon fill = 'rgb(  0, 114, 178)' points = '0,4 2,4 2,6 '/>
 <path id='gpPt0' stroke='black' d='M0,0 L1,1'/><use xlink:href='#gpPt0' color='rgb(  0, 114, 178)'/>
 </g></svg>
 END
@@ -529,6 +532,7 @@ END
   expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
   expect_html 'aria-label="A curve &amp; more"' "id='f-p0'" "href='#f-p0'" "id='g-p0'" \
     "stroke='currentColor'" "color='var(--ink-0072b2)'" "<g><path stroke='currentColor' d='m0 0 2 2'/></g>" \
+    "<path fill = 'var(--ink-009e73)' d='m0 0 2 0 0 2m2-2 2 0 0 2'/><path fill = 'var(--ink-0072b2)' d='m0 4 2 0 0 2'/>" \
     'viewBox="0 0 600 400" fill="none" stroke="currentColor" stroke-width="0.8" stroke-linecap="round"' 'id="script:f"' \
     'download="f.csv.gz"'
   if grep -q 'fill="#ffffff"' page.html; then fail "the white ground is still there"; fi
