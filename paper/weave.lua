@@ -685,7 +685,7 @@ local function relative(path)
   return table.concat(out) .. (path:find("Z") and "z" or "")
 end
 
---- Neighbouring areas of one fill as one path.
+--- Areas that follow each other with the same attributes, as one path; they must not overlap.
 local function joined(svg)
   local found
   repeat
@@ -726,7 +726,7 @@ local common = 'fill="none" stroke="currentColor" stroke-width="0.8" stroke-line
 local function without_the_common(svg)
   return (svg:gsub('<g fill="none" stroke="currentColor"', "<g")
     :gsub(' stroke%-linecap="round" stroke%-linejoin="round"', ""):gsub('<g stroke%-width="0.80">', "<g>")
-    :gsub(' font%-family="sans%-serif"', ""):gsub(' font%-size="17.00"', "")
+    :gsub("<g><path stroke='currentColor' ", "<g><path "):gsub(' font%-family="sans%-serif"', ""):gsub(' font%-size="17.00"', "")
     :gsub('<rect[^>]*fill="none"/>', "")
     :gsub('<g transform="([^"]*)" stroke="none" fill="currentColor"([^>]-)%s*text%-anchor="(%a+)"><text>(.-)</text></g>', short_label))
 end

@@ -49,7 +49,8 @@ RollerKind kind_of(const Scene& scene) {
   return alike ? RollerKind::identical : RollerKind::conducting;
 }
 
-/// Values by their keys, which are constants, in the order in which the keys are first set.
+/// Values by their keys, which are constants, in the order in which the keys are first set. A new
+/// key makes references to older values invalid.
 struct Object {
   struct Entry {
     std::string_view key;
@@ -83,7 +84,8 @@ void share_heat_with(const CrossingHeat& crossing, Object& o, Object& error, con
   o["heat_1"] = heat_1;
   o["heat_2"] = heat - heat_1;
   o["heat_partition"] = bulk == 0 ? json(heat_1 / heat) : json();
-  error["heat_1"] = error["heat_2"] = left;
+  error["heat_1"] = left;
+  error["heat_2"] = left;
 }
 
 void add_exchange(Object& o, Object* error, const Solution& x) {
@@ -156,7 +158,7 @@ void add_physical(Object& o, Object& error, const FoundInSi& physical) {
   error[contact] = temperature ? json(physical.error->max_temperature_celsius) : json();
 }
 
-/// What is told of a solution. The errors are empty where none are known.
+/// The values and errors of a solution by their keys; the errors are empty where none are known.
 struct Told {
   Object value, error, physical, physical_error;
 };
@@ -266,14 +268,15 @@ std::string csv_cell(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_number_float() || !std::isfinite(value.get<double>())) return value.dump();
   std::array<char, 64> text{};
-  char* const first = text.data();
+  char* const first = text.data();  // as dump() does, without its serializer
   return {first, nlohmann::detail::to_chars(first, first + text.size(), value.get<double>())};
 }
 
 constexpr std::string_view of_a_roller[] = {
-    "roller",           "direction",     "heating_2",       "conductivity_ratio",  "peclet_2",
-    "effusivity_ratio", "heat_1",        "heat_2",          "heat_partition",      "exchanged_heat",
-    "no_slip_traction", "no_slip_creep", "bulk_difference", "edge_log_coefficient"};
+    "roller",        "direction",           "heating_2",       "conductivity_ratio",
+    "peclet_2",      "effusivity_ratio",    "bulk_difference", "heat_1",
+    "heat_2",        "heat_partition",      "exchanged_heat",  "no_slip_traction",
+    "no_slip_creep", "edge_log_coefficient"};
 constexpr std::string_view of_a_law[] = {
     "friction_law", "friction_temperature", "friction_floor", "friction_reference_temperature",
     "branch",       "friction_min",         "traction_limit", "creep_at_traction_limit"};
@@ -462,7 +465,6 @@ std::vector<Field> csv_fields(const Solution& x, const std::optional<FoundInSi>&
   if (physical && !physical->error)
     for (const auto& [key, value] : told.physical.entries) told.physical_error[key] = nullptr;
   std::vector<Field> fields;
-  fields.reserve(150);
   add_fields(fields, "", told.value, with);
   add_fields(fields, "error_estimate.", told.error, with);
   add_fields(fields, "physical.", told.physical, with);

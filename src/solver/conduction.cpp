@@ -32,7 +32,7 @@ Eigen::ArrayXd pair_temperatures(const Conduction& c, double side, const Eigen::
   const std::vector<Kernels> all = kernels_at(zeta_1);
   Eigen::ArrayXd m(zeta.size());
   for (Eigen::Index i = 0; i < m.size(); ++i) m(i) = all[static_cast<std::size_t>(i)].m_down;
-  if (side > 0) m *= (-2 * zeta_1).max(-700).exp();  // numbers next to the smallest are slow
+  if (side > 0) m *= (-2 * zeta_1).max(-600).exp();  // numbers next to the smallest are slow
   for (Eigen::Index i = 0; i < m.size(); ++i) m(i) += (*c.pair)(z(i))(side > 0 ? 2 : 4);
   return m;
 }

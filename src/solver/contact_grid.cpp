@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -32,7 +34,7 @@ struct LawAtNodes {
   ArrayXd by_pressure, by_temperature;  // their derivatives, by the weights of the node
 };
 
-/// Without v-hat.
+/// The first four values; the others stay empty.
 LawAtNodes friction_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
   LawAtNodes at;
@@ -183,7 +185,7 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
 
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          const GridRules& rules, Index terms) {
-  const Nodes nodes = place_nodes(zones, rules.slip, rules.stick, rules.layer);
+  Nodes nodes = place_nodes(zones, rules.slip, rules.stick, rules.layer);
   const GaussLegendre& graded =
       scene.law ? rule_for_temperatures(scene, zones, rules) : rules.graded;
   ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, graded);
@@ -195,12 +197,13 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   if (scene.law && crossing) thermal.temperature += crossing->temperature.leftCols(terms);
   const auto bulk = bulk_exchange(scene, nodes.y.size());
   if (bulk) thermal.bulk = bulk_terms(*bulk, scene, formulation, nodes);
+  TractionOperators tractions = traction_operators(nodes, thermal, scene.friction);
   ContactGrid grid{
-      scene,    rules, nodes, thermal, traction_operators(nodes, thermal, scene.friction),
-      crossing, bulk};
+      scene, rules, std::move(nodes), std::move(thermal), std::move(tractions), std::move(crossing),
+      bulk};
   if (!scene.law) return grid;
-  grid.hot = hot_friction(nodes, rules.slip, grid.tractions.p, thermal.temperature);
-  grid.hot->bulk = thermal.bulk.temperature;
+  grid.hot = hot_friction(grid.nodes, rules.slip, grid.tractions.p, grid.thermal.temperature);
+  grid.hot->bulk = grid.thermal.bulk.temperature;
   return grid;
 }
 

@@ -52,14 +52,15 @@ double shrinking(double now, double before, int n, bool slow) {
 }
 
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
-/// a twentieth of the largest of them.
+/// a twentieth of the largest of them; C and the creep both have the larger of theirs.
 Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& value) {
   const bool no_cold = scene.law && given.quantity == traction;
   if (scene.bulk_difference != 0 || level.at.stick == 0 || no_cold) return Results::Ones();
   const Results cold = carter_values(nearest_carter(scene, given));
   Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
-  share(creep) = share(creep_constant) = std::max(share(creep), share(creep_constant));
+  share(creep) = std::max(share(creep), share(creep_constant));
+  share(creep_constant) = share(creep);
   share += 0.05 * share.head(compared - 2).maxCoeff();
   share(heat_integral) = std::max(share(heat_integral), 0.1);
   share(max_temperature) = 1;

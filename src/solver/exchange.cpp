@@ -52,7 +52,7 @@ ZoneMap stick_map(const ZoneLengths& at) {
   return {at.stick, std::min(1.0, std::sqrt(at.slip / at.stick)), false};
 }
 
-GradedArray growth(const GradedArray& exponent) {
+GradedArray exp_less_one(const GradedArray& exponent) {
   GradedArray grown = exponent.exp() - 1;
   for (Index i = 0; i < grown.size(); ++i)
     if (std::abs(exponent[i]) < 0.1) grown[i] = std::expm1(exponent[i]);
@@ -67,8 +67,8 @@ struct ZonePoints {
 ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
   if (zone.slips()) return {slip_cubic(left), slip_cubic(right), (3 + 12 * left * right) / 22};
   const double half = zone.growth() / 2;
-  const GradedArray u = zone.fine * growth(half * left);
-  return {u, -(1 + zone.fine) * growth(-half * right), half * (u + zone.fine)};
+  const GradedArray u = zone.fine * exp_less_one(half * left);
+  return {u, -(1 + zone.fine) * exp_less_one(-half * right), half * (u + zone.fine)};
 }
 
 /// dt / sqrt(1 - t), or with both edges dt / sqrt(t (1 - t)), over du.
@@ -84,7 +84,7 @@ struct Target {
   double left, right, gap;
 };
 
-/// Whether the rule from a target upstream is used for the mirrored target as well.
+/// Whether the rule that goes upstream from a target serves the mirrored target as well.
 bool mirrors(const ZoneMap& zone, const Target& from) {
   return zone.slips() && from.left > 0 && from.right > 0;
 }
@@ -107,13 +107,13 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const double at_end = std::sqrt((1 / speed + from.gap / zone.length) / 3) / du;
   const double delta = 6 * std::min(at_end, 1 / (speed * 6 * u * v * du));
   const double k = std::log1p((side > 0 ? from.right : from.left) / delta);
-  const GradedArray step = delta * growth(k * rule.cube);
+  const GradedArray step = delta * exp_less_one(k * rule.cube);
   const GradedArray dx = 1.5 * k * rule.w * rule.rho.square() * (step + delta);
   const double middle = (from.left - from.right) / 2;
   ZoneRule graded{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
   const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
   GradedArray far = step * (15 - 4 * (middle * (middle + graded.x) + graded.x.square())) / 22;
-  if (!zone.slips()) far = side * (u + zone.fine) * growth(side * zone.growth() / 2 * step);
+  if (!zone.slips()) far = side * (u + zone.fine) * exp_less_one(side * zone.growth() / 2 * step);
   const auto near_border = to.u + u < 1;
   const GradedArray sum = near_border.select(to.u + u, to.v + v);
   const GradedArray product = near_border.select(to.u * u, to.v * v);
@@ -152,8 +152,8 @@ KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& grade
   const bool alike = pair.peclet == pair.peclet_2, mirrored = graded.mirrored.size() > 0;
   const std::vector<Kernels> second = alike ? first : kernels_along(graded, pair.peclet_2);
   const double twice = graded.upstream ? -2 : 0;
-  const GradedArray ahead_1 = (twice * pair.peclet * graded.apart).max(-700).exp();
-  const GradedArray ahead_2 = (twice * pair.peclet_2 * graded.apart).max(-700).exp();
+  const GradedArray ahead_1 = (twice * pair.peclet * graded.apart).max(-600).exp();
+  const GradedArray ahead_2 = (twice * pair.peclet_2 * graded.apart).max(-600).exp();
   KernelWeights weights(graded.x.size(), mirrored ? (heats ? 9 : 7) : 5);
   for (Index i = 0; i < graded.x.size(); ++i) {
     const Kernels& k1 = first[static_cast<std::size_t>(i)];

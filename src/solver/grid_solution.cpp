@@ -149,9 +149,13 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.peak = hottest_on(grid, found.h, from.peak);
   found.value = values_on_grid(grid, found);
   found.crossing = crossing_heat(grid, found);
+  if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
+  return found;
+}
+
+GridSolution judged(GridSolution found, const ContactGrid& grid) {
   const Factors at_nodes = factors(grid, found.h);
   found.violations = violations(found.crossing ? without_edges(at_nodes) : at_nodes);
-  if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
   return found;
 }
 
@@ -159,7 +163,8 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
 
 GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
                            const ZoneLengths& at, const GridSolution& from) {
-  return solve_on(contact_grid(scene, formulation, at, n), from);
+  const ContactGrid grid = contact_grid(scene, formulation, at, n);
+  return judged(solve_on(grid, from), grid);
 }
 
 double residual(const GridSolution& x, const Prescribed& given) {
@@ -177,14 +182,15 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
   ZoneLengths at = level.at;
   for (int k = 0, failed = 0; k < 30; ++k) {
     const GridSolution last = level;
-    level = solve_on_grid(scene, formulation, n, at, last);
+    const ContactGrid grid = contact_grid(scene, formulation, at, n);
+    level = solve_on(grid, last);
     if (level.newton_steps == 0) {
       if (k == 0 || ++failed == 8) break;
       at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2};
       level = last;
       continue;
     }
-    if (given.quantity == stick_slip_border) return level;
+    if (given.quantity == stick_slip_border) return judged(level, grid);
     const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
     const double by_rounding = 4e-15 * std::abs(given.value);
     if (std::abs(moved) > by_rounding) slope = (level.value - last.value) / moved;
@@ -193,7 +199,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const double least = given.quantity == creep ? std::max(noise, 1e-15) : 1e-15;
     double step = slope(stick_slip_border) * residual(level, given);
     if (!(room > least && std::isfinite(step))) break;  // the border leaves the contact
-    if (k > 0 && std::abs(step) <= near) return level;
+    if (k > 0 && std::abs(step) <= near) return judged(level, grid);
     if (std::abs(step) < near) step = near;  // a second border, for the derivative
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
@@ -227,7 +233,8 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
                                  const GridSolution& from) {
   auto& [scene, formulation, kept] = grids;
   if (kept.count(n) == 0) kept.emplace(n, full_slip_grid(scene, formulation, n));
-  return solve_on(at_creep(kept.at(n), creep), from);
+  const ContactGrid grid = at_creep(kept.at(n), creep);
+  return judged(solve_on(grid, from), grid);
 }
 
 int unknowns_after(int n) {

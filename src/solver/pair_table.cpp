@@ -147,8 +147,9 @@ struct Cell {
 
 Cell cell_of(double z) {
   const auto bits = std::bit_cast<std::uint64_t>(z);  // the exponent, the half, the place in it
+  const int of_half = 2 * 1022;                       // those of 1/2, whose cell is 0
   const std::uint64_t inside = bits & ((std::uint64_t{1} << 51) - 1);
-  return {static_cast<int>(bits >> 51) - 2 * 1022, static_cast<double>(inside) * 0x1p-50 - 1};
+  return {static_cast<int>(bits >> 51) - of_half, static_cast<double>(inside) * 0x1p-50 - 1};
 }
 
 double place_in(const Cell& cell) {
@@ -165,15 +166,16 @@ THERMOROLL_CLONES Remainders PairTable::operator()(double z) const {
   const double x = at < 0 ? -1 : cell.x;  // next to zero they are constant
   Pack4 sum = {}, next;
   double fifth = 0;
-  for (int i = cell_nodes; i-- > 0; fifth = fifth * x + c[i](4)) {
+  for (int i = cell_nodes; i-- > 0;) {
     load(c[i].data(), next);
     sum = sum * x + next;
+    fifth = fifth * x + c[i](4);
   }
   return {sum[0], sum[1], sum[2], sum[3], fifth};
 }
 
-/// The exponentials of eight octaves: exp(-u z) for each place of an octave (rows) and as many u
-/// from a first one on as count (columns), and the Taylor coefficients of the sum of those before.
+/// The exponentials of eight octaves: exp(-u z) for each place of an octave (rows) and each of
+/// `count` u from `first` on (columns), and the Taylor coefficients of the sum of those before.
 struct OctaveSums {
   Eigen::Index first = 0, count = 0;
   Eigen::Array<double, 2 * cell_nodes, Eigen::Dynamic> powers{};
@@ -205,10 +207,10 @@ THERMOROLL_CLONES void sum_and_square(const double* density, OctaveSums& x, doub
     for (Eigen::Index i = 0; i < x.count; ++i) {
       double* power = &x.powers(place, i);
       load(power, p);
-      for (int of = 0; of < 3; ++of) sum[of] += density[3 * i + of] * p;
+      for (int k = 0; k < 3; ++k) sum[k] += density[3 * i + k] * p;
       store(p * p, power);
     }
-    for (int of = 0; of < 3; ++of) store(sum[of], sums + 2 * cell_nodes * of + place);
+    for (int k = 0; k < 3; ++k) store(sum[k], sums + 2 * cell_nodes * k + place);
   }
 }
 

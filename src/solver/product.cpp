@@ -13,16 +13,16 @@ using Changed = Eigen::Ref<Eigen::MatrixXd>;
 template <int packs, int columns>
 [[gnu::always_inline]] inline void add_block(double sign, const Given& a, const Given& b, Index i,
                                              Index j, Changed& c) {
-  Pack4 sum[packs][columns] = {}, rows;
+  Pack4 sum[packs][columns] = {}, four;
   for (Index k = 0; k < a.cols(); ++k)
     for (int r = 0; r < packs; ++r) {
-      load(a.data() + i + 4 * r + k * a.outerStride(), rows);
-      for (int l = 0; l < columns; ++l) sum[r][l] += rows * b(k, j + l);
+      load(a.data() + i + 4 * r + k * a.outerStride(), four);
+      for (int l = 0; l < columns; ++l) sum[r][l] += four * b(k, j + l);
     }
   for (int r = 0; r < packs; ++r)
     for (int l = 0; l < columns; ++l) {
-      load(&c(i + 4 * r, j + l), rows);
-      store(rows + sign * sum[r][l], &c(i + 4 * r, j + l));
+      load(&c(i + 4 * r, j + l), four);
+      store(four + sign * sum[r][l], &c(i + 4 * r, j + l));
     }
 }
 
@@ -41,10 +41,8 @@ THERMOROLL_CLONES void add_fours(double sign, const Given& a, const Given& b, Ch
 }
 
 void add_product(double sign, const Given& a, const Given& b, Changed c) {
-  const Index rows = a.rows(), last = rows % 4;
-  const bool apart = rows < 8 || a.cols() + b.cols() < 20 || a.cols() > 504;
-  const Index left = apart ? rows : last == 1 ? 5 : last;
-  add_fours(sign, a.topRows(rows - left), b, c.topRows(rows - left));
+  const Index left = a.rows() % 4, fours = a.rows() - left;
+  add_fours(sign, a.topRows(fours), b, c.topRows(fours));
   if (left > 0) c.bottomRows(left).noalias() += sign * a.bottomRows(left) * b;
 }
 

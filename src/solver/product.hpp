@@ -5,7 +5,7 @@
 
 namespace thermoroll {
 
-/// c += sign a b, to the last bit as Eigen computes it with two numbers at a time.
+/// c += sign a b, four rows at a time.
 void add_product(double sign, const Eigen::Ref<const Eigen::MatrixXd>& a,
                  const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> c);
 

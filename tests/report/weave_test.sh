@@ -531,7 +531,7 @@ FiguresKeepTheirIdsApart() {
 END
   expect 'Figure 1. One. script data' 'Figure 2. Two. script data' 'plot sin(x)'
   expect_html 'aria-label="A curve &amp; more"' "id='f-p0'" "href='#f-p0'" "id='g-p0'" \
-    "stroke='currentColor'" "color='var(--ink-0072b2)'" "<g><path stroke='currentColor' d='m0 0 2 2'/></g>" \
+    "stroke='currentColor'" "color='var(--ink-0072b2)'" "<g><path d='m0 0 2 2'/></g>" \
     "<path fill = 'var(--ink-009e73)' d='m0 0 2 0 0 2m2-2 2 0 0 2'/><path fill = 'var(--ink-0072b2)' d='m0 4 2 0 0 2'/>" \
     'viewBox="0 0 600 400" fill="none" stroke="currentColor" stroke-width="0.8" stroke-linecap="round"' 'id="script:f"' \
     'download="f.csv.gz"'

@@ -31,4 +31,15 @@ int main() {
       std::puts(refusal.what());
     }
   }
+  for (int i = 0; i < 12; ++i) {  // two bodies, their bulk temperatures, a law of friction
+    Scene scene{0.3, std::pow(10, 1 + up_to(3)), std::pow(10, -2 + up_to(1.5))};
+    scene.roller = {0.5 + up_to(2), scene.heating * up_to(2), scene.peclet * (0.1 + up_to(0.8))};
+    if (i % 3 == 1) scene.bulk_difference = 0.1 / std::sqrt(scene.peclet);
+    if (i % 3 == 2) scene.law = linear_friction({0.3 / std::sqrt(scene.peclet)});
+    const CoupledSolution x = solve_coupled(scene, {Formulation::corrected, 1e-4},
+                                            {Quantity::stick_slip_border, -0.8 + up_to(1.6)});
+    for (const double value : x.value) std::printf("%a ", value);
+    for (const double error : x.error) std::printf("%a ", error);
+    std::puts("");
+  }
 }
