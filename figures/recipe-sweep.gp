@@ -12,6 +12,7 @@ set colorbox user origin screen 0.845, screen 0.14 size screen 0.03, screen 0.76
 set cbrange [0:0.6]
 set cbtics 0.2 offset -0.6,0
 set label 1 '{/:Italic Q*}' at screen 0.86, graph 1.075 center
-set palette defined (0 '#440154', 0.3 '#3e4989', 0.6 '#1f9e89', 1 '#fde725')
+# Colours that stand out on white and on near-black.
+set palette defined (0 '#7a4fd0', 0.5 '#1f9e89', 1 '#d9a004')
 plot data using "peclet":"max_temperature":"traction" with points pointtype 7 pointsize 0.35 palette \
   title 'scenes'

@@ -662,8 +662,7 @@ local function corners(path)
 end
 
 --- A path of lines by the steps from corner to corner, in hundredths as before, which are shorter. Between
---- numbers stands what keeps them apart: nothing before a sign, or before a second point. A path that is
---- closed stays so.
+--- numbers stands what keeps them apart: nothing before a sign, or before a second point.
 local function relative(path)
   local out, last = {}, ""
   local function add(hundredths)
@@ -682,7 +681,7 @@ local function relative(path)
     add(point.y - y)
     x, y = point.x, point.y
   end
-  return table.concat(out) .. (path:find("Z") and "z" or "")
+  return table.concat(out)
 end
 
 --- Areas that follow each other with the same attributes, as one path; they must not overlap.

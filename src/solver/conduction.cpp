@@ -57,14 +57,13 @@ std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zet
   return c.pair ? pair_kernels(c, zeta) : kernels_at(zeta);
 }
 
-Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta) {
-  if (!c.pair) {
-    Eigen::ArrayXd shares = Eigen::ArrayXd::Zero(zeta.size());
-    const Eigen::Index near = (zeta < 20).count();
-    shares.head(near) = (-2 * zeta.head(near)).exp();
-    return shares;
-  }
-  return pair_temperatures(c, 1, zeta) / pair_temperatures(c, -1, zeta);
+Eigen::ArrayXd temperatures_ahead(const Conduction& c, const Eigen::ArrayXd& zeta,
+                                  const Eigen::ArrayXd& behind) {
+  if (c.pair) return pair_temperatures(c, 1, zeta);
+  Eigen::ArrayXd ahead = Eigen::ArrayXd::Zero(zeta.size());
+  const Eigen::Index near = (zeta < 20).count();
+  ahead.head(near) = behind.head(near) * (-2 * zeta.head(near)).exp();
+  return ahead;
 }
 
 }  // namespace thermoroll

@@ -28,7 +28,8 @@ std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zet
 /// M(side zeta), zeta > 0, of a pair: ahead of a source, or behind it for side = -1.
 Eigen::ArrayXd pair_temperatures(const Conduction& c, double side, const Eigen::ArrayXd& zeta);
 
-/// T* at the distances zeta > 0 ahead of a source over that behind it.
-Eigen::ArrayXd upstream_shares(const Conduction& c, const Eigen::ArrayXd& zeta);
+/// M at the ascending distances zeta > 0 ahead of a source, from M behind it.
+Eigen::ArrayXd temperatures_ahead(const Conduction& c, const Eigen::ArrayXd& zeta,
+                                  const Eigen::ArrayXd& behind);
 
 }  // namespace thermoroll

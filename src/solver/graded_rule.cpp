@@ -54,13 +54,16 @@ void kernel_weights(const Conduction& c, const GradedRule& graded, Index columns
                     KernelWeights& weights) {
   const std::vector<Kernels> kernels = at_distances(c, graded.zeta);
   weights.resize(graded.y.size(), columns);
+  GradedArray behind(graded.y.size());
   for (Index i = 0; i < graded.y.size(); ++i) {
     const Kernels& k = kernels[static_cast<std::size_t>(i)];
     weights.row(i).head<node_weights>() << k.n1 * graded.heat(i), k.n1 * graded.by_h(i),
         k.n1 * graded.by_dh(i), k.n2_up * graded.heat(i), k.n2_down * graded.heat(i);
-    if (columns > node_weights) weights(i, 6) = k.m_down * graded.heat(i);
+    behind[i] = k.m_down;
   }
-  if (columns > node_weights) weights.col(5) = weights.col(6) * upstream_shares(c, graded.zeta);
+  if (columns == node_weights) return;
+  weights.col(5) = graded.heat * temperatures_ahead(c, graded.zeta, behind);
+  weights.col(6) = graded.heat * behind;
 }
 
 template <Index columns>

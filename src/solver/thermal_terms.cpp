@@ -29,13 +29,14 @@ FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, con
   for (Index j = 0; j < rows; ++j) {
     const ArrayXd at = zeta + further(j);
     const std::vector<Kernels> all = at_distances(c, at);
-    const ArrayXd share = temperature ? upstream_shares(c, at) : ArrayXd();
+    ArrayXd behind(columns);
     for (Index i = 0; i < columns; ++i) {
       const Kernels& here = all[static_cast<std::size_t>(i)];
       k.n1(j, i) = here.n1;
       k.n2(j, i) = here.n2_up;
-      if (temperature) k.m(j, i) = here.m_down * share(i);
+      behind(i) = here.m_down;
     }
+    if (temperature) k.m.row(j) = temperatures_ahead(c, at, behind).matrix().transpose();
   }
   return k;
 }

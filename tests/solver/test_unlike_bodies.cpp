@@ -112,7 +112,10 @@ TEST(UnlikeBodies, BothBodiesAreEquallyHot) {
     const Conduction one(x), other(exchanged(x));
     const Eigen::ArrayXd zeta = Eigen::pow(10.0, Eigen::ArrayXd::LinSpaced(40, -6, 1.5));
     const auto a = at_distances(one, zeta), b = at_distances(other, zeta);
-    const Eigen::ArrayXd up = upstream_shares(one, zeta), same = upstream_shares(other, zeta);
+    Eigen::ArrayXd behind(zeta.size());
+    for (std::size_t i = 0; i < a.size(); ++i) behind(static_cast<Eigen::Index>(i)) = a[i].m_down;
+    const Eigen::ArrayXd up = temperatures_ahead(one, zeta, behind) / behind;
+    const Eigen::ArrayXd same = temperatures_ahead(other, zeta, behind) / behind;
     EXPECT_LT((up - same).abs().maxCoeff(), 1e-11);
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_NEAR(a[i].m_down, b[i].m_down, 1e-11 * a[i].m_down);
