@@ -79,10 +79,10 @@ void part_inverses(benchmark::State& state) {
 void part_hottest(benchmark::State& state) {
   const LastGrid at;
   const HottestPoint top =
-      find_hottest(at.flux.slip, steel.peclet, at.flux.h, {}, at.grid.rules.fine);
+      find_hottest(at.flux.zones(), steel.peclet, at.flux.h, {}, at.grid.rules.fine);
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        find_hottest(at.flux.slip, steel.peclet, at.flux.h, top, at.grid.rules.fine));
+        find_hottest(at.flux.zones(), steel.peclet, at.flux.h, top, at.grid.rules.fine));
 }
 
 void temperature_curve(benchmark::State& state, const SmoothFlux& flux) {

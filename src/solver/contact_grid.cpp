@@ -142,6 +142,14 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const LawAtNode
   return phi;
 }
 
+/// beta of @eq:angles for a scene with these zones; 9 and 120 are found by trial.
+double crowding(const Scene& scene, const ZoneLengths& at) {
+  const double strain = scene.friction * heating_of_both(scene) * std::sqrt(at.slip * scene.peclet);
+  const bool other_layers = scene.law || is_unlike(scene) || scene.bulk_difference != 0;
+  if (other_layers || !(strain >= 120)) return 0;
+  return std::log(std::min(strain, 1e6) / 9) / 2;
+}
+
 TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal, double friction) {
   const Index n = z.y.size(), m = z.d.size();
   VectorXd position(n + m);
@@ -152,7 +160,7 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   tractions.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
   MatrixXd in_p(n, n + m), in_v(n, m);
   std::vector<SlipPoint> points;
-  for (Index i = 0; i < n; ++i) points.emplace_back(1 + z.y(i), 1 - z.y(i));
+  for (Index i = 0; i < n; ++i) points.emplace_back(1 + z.y(i), 1 - z.y(i), z.zones.beta);
   for (Index j = 0; j < n; ++j) {
     const SlipPoint& to = points[static_cast<std::size_t>(j)];
     for (Index i = 0; i < n; ++i) {
@@ -210,7 +218,8 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
   const bool friction_crosses = exchanges(scene, zones), bulk = scene.bulk_difference != 0;
   if (!is_unlike(scene) && !friction_crosses && !bulk)
-    return GridRules(n, zones, scene.peclet, 0, 0, layer_ahead(n, scene.peclet));
+    return GridRules(n, zones, scene.peclet, zones.beta > 0 ? 8 : 0, 0,
+                     layer_ahead(n, scene.peclet));
   const Conduction conduction(scene, false);
   int more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
   if (friction_crosses) more += n / 2;

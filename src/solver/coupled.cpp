@@ -38,16 +38,16 @@ bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
 
 /// The part of a change since the previous grid that is counted as the error of this one of n
 /// unknowns.
-double part_of_change(int n, bool slow) {
-  if (n > 200) return 0.05;
+double part_of_change(int n, bool slow, bool crowded) {
+  if (n > 200) return crowded ? 0.2 : 0.05;
   if (slow) return 1;
   return 0.2;
 }
 
 /// The factor of the part of a change, by the tail now and before.
-double shrinking(double now, double before, int n, bool slow) {
+double shrinking(double now, double before, int n, bool slow, bool crowded) {
   if (n > 200) return 1;
-  const double least = n < 30 ? 0.2 : slow ? 0.05 : 0.02;
+  const double least = n < 30 ? 0.2 : crowded ? 0.15 : slow ? 0.05 : 0.02;
   return std::clamp(15 * now / before, least, slow ? 1.0 : 2.5);
 }
 
@@ -62,7 +62,6 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   share(creep) = std::max(share(creep), share(creep_constant));
   share(creep_constant) = share(creep);
   share += 0.05 * share.head(compared - 2).maxCoeff();
-  share(heat_integral) = std::max(share(heat_integral), 0.1);
   share(max_temperature) = 1;
   return share;
 }
@@ -79,10 +78,11 @@ Results error_of_rules(const Scene& scene, int n) {
 
 /// Estimated errors, each relative to its scale, on the grid of n unknowns with the tail now and
 /// before, by the change since the previous grid and the share of each quantity in the effects of
-/// heat; slow if convergence is slow.
+/// heat; slow if convergence is slow, crowded if nodes are moved to the ends.
 Results estimate(const Results& change, const Results& share, double now, double before, int n,
-                 bool slow) {
-  const double part = part_of_change(n, slow), product = part * shrinking(now, before, n, slow);
+                 bool slow, bool crowded) {
+  const double part = part_of_change(n, slow, crowded);
+  const double product = part * shrinking(now, before, n, slow, crowded);
   Results error = product * change;
   const double of_one_point = std::min(product, std::clamp(now / before, part / 4, part));
   if (!slow) error(max_temperature) = of_one_point * change(max_temperature);
@@ -99,7 +99,7 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
                   double missing) {
   const auto before = static_cast<int>(last.h.size()), now = static_cast<int>(level.h.size());
   double next = scene.bulk_difference != 0 ? 1.6 * n : 2 * n;
-  const bool steady = !level.crossing && !converges_slowly(scene, level.at);
+  const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level.at));
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
     if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 4, 1.3 * n, next);
@@ -123,6 +123,12 @@ Results estimate_with_law(const Results& change, const Results& share, const Vec
   return error;
 }
 
+/// Of an h of ten coefficients and Carter's.
+int unknowns_for_heat(const VectorXd& h, const VectorXd& cold, int digits) {
+  const double last = (h - cold).tail(2).lpNorm<Eigen::Infinity>() / h.lpNorm<Eigen::Infinity>();
+  return static_cast<int>(std::clamp(14 + 6 * (std::log10(last) + digits), 20.0, 30.0));
+}
+
 bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
   if (given.quantity != creep) return false;
   const GridSolution full = next_to_full_slip(scene, formulation, std::max(40, n));
@@ -140,6 +146,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
+  level.at.beta = crowding(scene, level.at);
   const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
   const int cautious = crosses && digits > 4 ? 16 : 10;
   const int first = scene.law ? 12 : easy ? 6 : cautious, last = scene.law ? 96 : 80;
@@ -202,10 +209,14 @@ double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
   return resolved < 10 ? 0.5 : 0.4;
 }
 
-/// The unknowns of the first grid whose error can be told.
-int least_unknowns(const Scene& scene, int digits) {
+/// The unknowns of the first grid whose error can be told, after a coarse one.
+int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   if (scene.bulk_difference != 0) return edge_unknowns(scene);
-  return (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
+  const int by_digits = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
+  const bool plain = !scene.law && !is_unlike(scene) && coarse.at.beta == 0;
+  if (!plain || digits < 4 || coarse.h.size() != 10) return by_digits;
+  const VectorXd cold = carter_h(coarse.at, scene.friction);
+  return std::min(by_digits, unknowns_for_heat(coarse.h, cold, digits));
 }
 
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
@@ -225,7 +236,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
   const Results small = 0.03 * corrected + error_of_rules(scene, n);
-  Results left = estimate(change, share, now, then, n, slow) + small;
+  Results left = estimate(change, share, now, then, n, slow, level.at.beta > 0) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
     left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + small;
@@ -260,6 +271,7 @@ CoupledSolution solution_of(const Scene& scene, Formulation formulation, const G
   const auto n = static_cast<int>(level.h.size());
   CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
                     level.h, level.violations, trace};
+  x.beta = level.at.beta;
   const bool where_it_sticks = found.value(max_temperature_at) < level.at.c0();
   x.error(max_temperature_at) =
       where_it_sticks ? level.at.stick : level.at.slip * std::sqrt(found.error(max_temperature));
@@ -280,9 +292,9 @@ GridStep step_of(const GridSolution& level) {
 ContactGrid grid_of(const CoupledSolution& x, int n) {
   if (x.value(Quantity::stick_slip_border) == -1)
     return at_creep(full_slip_grid(x.scene, x.formulation, n), x.value(Quantity::creep));
-  return contact_grid(x.scene, x.formulation,
-                      {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border)},
-                      n);
+  return contact_grid(
+      x.scene, x.formulation,
+      {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border), x.beta}, n);
 }
 
 }  // namespace
@@ -348,7 +360,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Refinement found{carried_over(level, given, slope)};
   std::vector<GridStep> trace{step_of(level)};
-  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, least_unknowns(scene, digits));
+  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, least_unknowns(scene, digits, level));
   for (int stalled = 0; stalled < 2;) {
     const GridSolution last = level;
     const double best = found.worst();
@@ -427,9 +439,11 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) 
 }
 
 HeatFlux coupled_flux(const CoupledSolution& x) {
+  const double length = x.value(Quantity::slip_length);
   return {x.value(Quantity::stick_slip_border), 1,
-          [h = x.h, slip = x.value(Quantity::slip_length)](double left, double right) {
-            const double eta = distance_of_share(std::min({left, right, slip / 2}) / slip);
+          [h = x.h, slip = length, beta = x.beta](double left, double right) {
+            const double share = std::min({left, right, slip / 2}) / slip;
+            const double eta = distance_of_share(share, beta);
             const ArrayXd y = ArrayXd::Constant(1, left < right ? eta - 1 : 1 - eta);
             return std::sqrt(left * right) * (legendre(y, h.size()) * h)(0);
           }};
@@ -462,7 +476,7 @@ std::vector<ExchangedFlux> exchanged_fluxes(const Scene& scene, Formulation form
 }
 
 ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
-  const SmoothFlux by{x.value(slip_length), 1 + x.value(stick_slip_border), x.h};
+  const SmoothFlux by{x.value(slip_length), 1 + x.value(stick_slip_border), x.h, x.beta};
   ArrayXd flux = ArrayXd::Zero(s.size());
   for (const ExchangedFlux& e : exchanged_fluxes(x.scene, x.formulation, by, 60))
     flux += flux_at(e, s);
@@ -508,7 +522,7 @@ Profile profile(const CoupledSolution& x) {
     const bool slips = i >= m;
     const double left = slips ? 1 + z.y(i - m) : 0, gap = slips ? 0 : z.d(m - 1 - i) / slip;
     profile.temperature(i) =
-        temperature_and_slope(slip, conduction, h, left, 2 - left, gap, grid.rules.fine).value;
+        temperature_and_slope(z.zones, conduction, h, left, 2 - left, gap, grid.rules.fine).value;
   }
   profile.temperature *= heat_share(x.scene);
   for (const ExchangedFlux& e : crossing_flux(grid, x.h))
@@ -530,6 +544,7 @@ SmoothTractions smooth_tractions(const CoupledSolution& x, int n) {
   const ZoneLengths& at = grid.nodes.zones;
   SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
   y.layer = grid.rules.layer;
+  y.beta = at.beta;
   const MatrixXd to_slip = to_legendre(grid.rules.slip);
   y.pressure = to_slip * found.pressure.tail(n).matrix();
   if (!grid.hot) return y;

@@ -54,7 +54,7 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
   const auto n = static_cast<int>(x.h.size());
   const int nodes = temperature_nodes(n, curve.scene.peclet * x.at.slip);
   const HottestPoint trailing =
-      find_hottest(x.at.slip, Conduction(curve.scene), x.h, {0.98, 0, -3}, rounded_up(8, nodes));
+      find_hottest(x.at, Conduction(curve.scene), x.h, {0.98, 0, -3}, rounded_up(8, nodes));
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
 }
 

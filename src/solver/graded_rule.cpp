@@ -11,42 +11,73 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, double left,
-                             double right, const GaussLegendre& rule) {
-  const SlipPoint from(left, right);
-  const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27);
-  const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
-  const double ell = std::log1p(right / delta);
+[[gnu::always_inline]] inline GradedArray sinh_of(const GradedArray& x) {
+  const GradedArray grown = x.exp(), q = x.square();
+  const GradedArray small = x * (1 + q / 6 * (1 + q / 20 * (1 + q / 42 * (1 + q / 72))));
+  return (x < 0.1).select(small, (grown - 1 / grown) / 2);
+}
+
+[[gnu::always_inline]] inline void crowd(const SlipPoint& from, GradedArray& ahead,
+                                         GradedArray& etas, GradedArray& rests,
+                                         GradedArray& weights) {
+  const double beta = from.beta, end = 2 * std::sinh(2 * beta);
+  const GradedArray a = sinh_of(beta * etas), b = sinh_of(beta * rests), sums = a + b;
+  ahead = end / from.sum * sinh_of(beta * ahead) / sums;
+  weights *= beta * end / sums.square();
+  etas = 2 * a / sums;
+  rests = 2 * b / sums;
+}
+
+/// The distances from the target in y, and the weights dy.
+struct Steps {
+  GradedArray y, dy;
+};
+
+[[gnu::always_inline]] inline Steps steps_of(double delta, double ell, const GaussLegendre& rule) {
   const GradedArray power = ell * rule.cube, grown = power.exp();
   GradedArray steps = delta * (grown - 1);
   for (Index i = 0; i < steps.size() && power[i] < 0.1; ++i)
     steps[i] = delta * std::expm1(power[i]);
-  const GradedArray dys = 1.5 * ell * delta * rule.w * rule.rho.square() * grown;
-  const GradedArray etas = left + steps, rests = right - steps;
+  return {steps, 1.5 * ell * delta * rule.w * rule.rho.square() * grown};
+}
+
+THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, double left,
+                             double right, const GaussLegendre& rule, double beta) {
+  const SlipPoint from(left, right, beta);
+  const double end_growth = beta > 0 ? 2 * beta / std::sinh(2 * beta) : 1;  // of psi by y
+  const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27) / end_growth;
+  const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
+  const double ell = std::log1p(right / delta);
+  const auto [steps, dys] = steps_of(delta, ell, rule);
+  GradedArray ahead = steps, etas = left + steps, rests = right - steps, dpsis = dys;
+  graded.y = from.y + steps;
+  if (beta > 0) crowd(from, ahead, etas, rests, dpsis);
   const GradedArray us = slip_cubic(etas), vs = slip_cubic(rests);
-  for (GradedArray* x : {&graded.y, &graded.zeta, &graded.heat, &graded.by_h, &graded.by_dh})
+  for (GradedArray* x : {&graded.zeta, &graded.heat, &graded.by_h, &graded.by_dh})
     x->resize(steps.size());
-  Pack4 step, dy, u, v;
+  Pack4 step, eta, rest, dy, dpsi, u, v;
   for (Index k = 0; k < steps.size(); k += 4) {
-    load(&steps[k], step);
+    load(&ahead[k], step);
+    load(&etas[k], eta);
+    load(&rests[k], rest);
     load(&dys[k], dy);
+    load(&dpsis[k], dpsi);
     load(&us[k], u);
     load(&vs[k], v);
-    const Pack4 y = from.y + step, du = (3 + 12 * (left + step) * (right - step)) / 22;
-    const Pack4 slope = (15 - 4 * (from.y * (from.y + y) + y * y)) / 22;
+    const Pack4 psi = from.psi + step, du = (3 + 12 * eta * rest) / 22;
+    const Pack4 slope = (15 - 4 * (from.psi * (from.psi + psi) + psi * psi)) / 22;
     const auto near_left = u + from.u < 1;
     const Pack4 x = near_left ? u + from.u : v + from.v;
     const Pack4 product = near_left ? u * from.u : v * from.v;
     const Pack4 apart = step * slope * (3 * x - 2 * (x * x - product));
-    store(y, &graded.y[k]);
     store(peclet * (apart + gap), &graded.zeta[k]);
     Pack4 omega = (1 + 2 * u) * (1 + 2 * v);
     for (int i = 0; i < 4; ++i) omega[i] = std::sqrt(omega[i]);
-    const Pack4 uv = u * v, by_dh = uv * omega * dy;
+    const Pack4 uv = u * v, root = uv * omega;
     const Pack4 middle = v * v * (1 + 2 * u) - u * u * (1 + 2 * v);  // 1 - 2t
-    store(by_dh, &graded.by_dh[k]);
-    store(6 * uv * du * by_dh, &graded.heat[k]);
-    store(3 * middle / omega * du * dy, &graded.by_h[k]);
+    store(root * dy, &graded.by_dh[k]);
+    store(6 * uv * du * (root * dpsi), &graded.heat[k]);
+    store(3 * middle / omega * du * dpsi, &graded.by_h[k]);
   }
 }
 

@@ -53,7 +53,7 @@ void compare_with_stick_zone(Results& value, const ContactGrid& grid, const Vect
 Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   const ZoneLengths& at = found.at;
   const Resultants sum = resultants(grid, found.h);
-  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y);
+  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y, at.beta);
   const double creep = sum.constant - grid.scene.friction * sum.gamma0;
   const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
   Results value = Results::Zero();
@@ -125,7 +125,7 @@ HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const Hottes
   const Conduction conduction(grid.scene, !grid.crossing);
   const VectorXd smooth = without_ripples(grid.scene, h), more = temperature_by_exchange(grid, h);
   const auto search = [&](const HottestPoint& from) {
-    return find_hottest(grid.nodes.zones.slip, conduction, smooth, from, grid.rules.fine, more);
+    return find_hottest(grid.nodes.zones, conduction, smooth, from, grid.rules.fine, more);
   };
   HottestPoint top = search(near);
   const std::vector<Index> maxima = flux_maxima(grid, h);
@@ -173,8 +173,8 @@ double residual(const GridSolution& x, const Prescribed& given) {
 }
 
 ZoneLengths moved_by(const ZoneLengths& zones, double step) {
-  const double slip = zones.slip - step, stick = zones.stick + step;
-  return slip < stick ? ZoneLengths{slip, 2 - slip} : ZoneLengths{2 - stick, stick};
+  const double slip = zones.slip - step, stick = zones.stick + step, beta = zones.beta;
+  return slip < stick ? ZoneLengths{slip, 2 - slip, beta} : ZoneLengths{2 - stick, stick, beta};
 }
 
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
@@ -186,7 +186,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     level = solve_on(grid, last);
     if (level.newton_steps == 0) {
       if (k == 0 || ++failed == 8) break;
-      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2};
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2, at.beta};
       level = last;
       continue;
     }

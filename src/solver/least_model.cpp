@@ -27,7 +27,7 @@ struct FastLimit {
     for (Eigen::Index i = 0; i < 20; ++i) {
       const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
       const ZoneLengths at{slip, 2 - slip};
-      const HottestPoint top = find_hottest(slip, peclet, carter_h(at, 1), {}, gauss_legendre(200));
+      const HottestPoint top = find_hottest(at, peclet, carter_h(at, 1), {}, gauss_legendre(200));
       y(i) = top.y;
       value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
       curvature(i) = top.curvature;
@@ -55,8 +55,7 @@ HottestPoint hottest_of_carter(const ZoneLengths& at, double friction, double pe
   const double lambda = at.slip * peclet;
   const HottestPoint fast = fast_limit(at, friction, peclet);
   if (1.3 / (lambda * lambda) < tolerance / 10) return fast;
-  return find_hottest(at.slip, peclet, carter_h(at, friction), fast,
-                      graded_nodes(tolerance, lambda));
+  return find_hottest(at, peclet, carter_h(at, friction), fast, graded_nodes(tolerance, lambda));
 }
 
 bool sticks_without_heat(double friction, const Prescribed& given) {
@@ -140,8 +139,8 @@ Results error_of_closed_form(const Correction& x) {
 double temperature_at(const HottestPoint& top, const Scene& scene, const Correction& x,
                       const GaussLegendre& rule) {
   const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
-  const double slip = zones_of(x.carter).slip;
-  return temperature_and_slope(slip, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rule).value;
+  const ZoneLengths at = zones_of(x.carter);
+  return temperature_and_slope(at, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rule).value;
 }
 
 CoupledSolution as_solution(const Scene& scene, Formulation formulation, const VectorXd& h,
@@ -209,7 +208,7 @@ CoupledSolution first_order(const Scene& scene, const Approach& approach, const 
   const ZoneLengths at = zones_of(x.carter);
   const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
   const GaussLegendre& rule = graded_nodes(approach.tolerance, at.slip * scene.peclet);
-  const HottestPoint top = find_hottest(at.slip, Conduction(scene), h, near, rule);
+  const HottestPoint top = find_hottest(at, Conduction(scene), h, near, rule);
   const Correction next = correct(scene, formulation, given, x.carter, h, 13);
   Results later = (next.value - x.value).abs() / scale_of(x.value);
   const double hotter = temperature_at(top, scene, next, rule);

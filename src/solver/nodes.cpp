@@ -24,7 +24,7 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
   const Index n = slip.x.size(), m = stick.x.size();
   Nodes z{zones, slip.x, ArrayXd(n), {}, {}, {}, {}, {}, VectorXd(n + m), VectorXd(n)};
   for (Index i = 0; i < n; ++i) {
-    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i), zones.beta);
     const double du = at.du * slip.w(i), uv = at.u * at.v;
     z.t(i) = at.t();
     z.heat(i) = 6 * uv * uv * at.omega() * du;
@@ -46,11 +46,13 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
   return z;
 }
 
-double distance_of_share(double t) {
+double distance_of_share(double t, double beta) {
   const double phi = 2 * std::asin(std::sqrt(t));
   const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
   const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
-  return eta - (slip_cubic(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));
+  const double x = eta - (slip_cubic(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));  // 1 + psi
+  const double grown = std::sinh(beta);
+  return beta > 0 ? std::atanh(x * grown * std::cosh(beta) / (1 + x * grown * grown)) / beta : x;
 }
 
 }  // namespace thermoroll

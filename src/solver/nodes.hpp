@@ -10,9 +10,9 @@
 
 namespace thermoroll {
 
-/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2.
+/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2; and beta of @eq:angles.
 struct ZoneLengths {
-  double slip, stick;
+  double slip, stick, beta = 0;
   double c0() const { return (stick - slip) / 2; }
 };
 
@@ -66,7 +66,7 @@ struct GridRules {
   double layer;  // length of the layer ahead of the border
 };
 
-/// u at the distance eta from y = -1, or v at that distance from y = 1; in [0, 1].
+/// u at the distance eta from psi = -1, or v at that distance from psi = 1; in [0, 1].
 template <class Distance>
 auto slip_cubic(const Distance& eta) {
   return eta * (3 + (12 - 4 * eta) * eta) / 22;
@@ -74,26 +74,36 @@ auto slip_cubic(const Distance& eta) {
 
 /// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
 struct SlipPoint {
-  SlipPoint(double left, double right)
-      : y((left - right) / 2),
-        u(slip_cubic(left)),
-        v(slip_cubic(right)),
-        du((3 + 12 * left * right) / 22) {}
-  double y, u, v, du;  // du: the derivative of u by y
+  SlipPoint(double left, double right, double crowding = 0)
+      : beta(crowding), y((left - right) / 2) {
+    if (beta > 0) {
+      const double a = std::sinh(beta * left), b = std::sinh(beta * right);
+      sum = a + b;
+      growth = 2 * beta * std::sinh(2 * beta) / (sum * sum);
+      left = 2 * a / sum;
+      right = 2 * b / sum;
+    }
+    psi = (left - right) / 2;
+    u = slip_cubic(left);
+    v = slip_cubic(right);
+    du = (3 + 12 * left * right) / 22 * growth;
+  }
+  double beta, y, psi, u, v, du, sum = 0, growth = 1;  // du: the derivative of u by y
   double t() const { return u * u * (1 + 2 * v); }
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
 
-/// t(b) - t(a) for b.y - a.y = step, without subtracting nearly equal numbers.
+/// t(b) - t(a) for points whose y differ by the step, without subtracting nearly equal numbers.
 inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
-  const double du = step * (15 - 4 * (a.y * a.y + a.y * b.y + b.y * b.y)) / 22;
+  if (a.beta > 0) step = 2 * std::sinh(2 * a.beta) * std::sinh(a.beta * step) / (a.sum * b.sum);
+  const double du = step * (15 - 4 * (a.psi * a.psi + a.psi * b.psi + b.psi * b.psi)) / 22;
   const bool left = a.u + b.u < 1;
   const double x = left ? a.u : a.v, z = left ? b.u : b.v;
   return du * (3 * (x + z) - 2 * (x * x + x * z + z * z));
 }
 
 /// The distance 1 + y at which t is the given share, in [0, 1/2].
-double distance_of_share(double t);
+double distance_of_share(double t, double beta = 0);
 
 /// The nodes of both zones, n on the slip zone and m on the stick zone.
 struct Nodes {

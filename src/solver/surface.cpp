@@ -36,7 +36,7 @@ double temperature_sum(const Conduction& c, const GradedRule& graded, const Grad
 }
 /// A flux on the slip zone, and its heat on the rules from both ends; in units of slip^2 / pi.
 struct SurfaceHeat {
-  double slip;
+  ZoneLengths zones;
   const Conduction& conduction;
   const VectorXd& h;
   const GaussLegendre& rule;
@@ -62,16 +62,16 @@ struct SurfaceHeat {
 
   double from(double behind, double ahead, double side) const {
     GradedRule graded;
-    grade(graded, conduction.peclet * slip, 0, behind, ahead, rule);
+    grade(graded, conduction.peclet * zones.slip, 0, behind, ahead, rule, zones.beta);
     if (side > 0) graded.cut(20 / conduction.slowest);
     return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side, 0);
   }
 };
 
-SurfaceHeat surface_heat(double slip, const Conduction& conduction, const VectorXd& h,
+SurfaceHeat surface_heat(const ZoneLengths& zones, const Conduction& conduction, const VectorXd& h,
                          const GaussLegendre& rule) {
-  SurfaceHeat x{slip, conduction, h, rule};
-  grade(x.first, conduction.peclet * slip, 0, 0, 2, rule);
+  SurfaceHeat x{zones, conduction, h, rule};
+  grade(x.first, conduction.peclet * zones.slip, 0, 0, 2, rule, zones.beta);
   x.last = x.first;
   x.first.cut(20 / conduction.slowest);
   x.at_first = x.first.heat * series(1, x.first.y, h);
@@ -90,8 +90,9 @@ FromEnds from_ends(const ZoneLengths& at, double s) {
 }
 
 /// 1 + y and 1 - y of a point in the zone.
-FromEnds in_y(const FromEnds& x, double slip) {
-  const double near = distance_of_share(std::min({x.left, x.right, slip / 2}) / slip);
+FromEnds in_y(const FromEnds& x, const ZoneLengths& at) {
+  const double share = std::min({x.left, x.right, at.slip / 2}) / at.slip;
+  const double near = distance_of_share(share, at.beta);
   return x.left < x.right ? FromEnds{near, 2 - near} : FromEnds{2 - near, near};
 }
 
@@ -152,10 +153,10 @@ SurfaceCurve at_many_points(const ZoneLengths& at, const SurfaceHeat& heat, cons
     else if (x.right <= 0)
       behind.add(i, -x.right);
     else
-      inside.add(i, in_y(x, at.slip).left - 1);
+      inside.add(i, in_y(x, at).left - 1);
   }
   const double unit = at.slip * at.slip / pi, limit = tolerance / unit;
-  const double delta = std::min(1 / heat.conduction.peclet, heat.slip);
+  const double delta = std::min(1 / heat.conduction.peclet, at.slip);
   const int n = 48 + static_cast<int>(20 * std::log10(1 + heat.conduction.peclet * at.slip));
   const auto in_zone = [&](double y) { return heat.inside(1 + y, 1 - y); };
   const auto out_of_zone = [&](double d) { return heat.behind(d); };
@@ -174,16 +175,17 @@ double quadrature_error(int nodes, double change, double top) {
 
 }  // namespace
 
-TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction,
+TemperatureAndSlope temperature_and_slope(const ZoneLengths& zones, const Conduction& conduction,
                                           const VectorXd& h, double left, double right, double gap,
                                           const GaussLegendre& rule) {
+  const double slip = zones.slip;
   TemperatureAndSlope sum{0, 0};
   GradedRule graded;
   const VectorXd dh = derivative(h);
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
     grade(graded, conduction.peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left,
-          rule);
+          rule, zones.beta);
     if (side > 0) graded.cut(20 / conduction.slowest);
     const GradedArray value = series(side, graded.y, h), slope = series(side, graded.y, dh);
     const GradedArray m = temperature_kernel(conduction, side, graded.zeta);
@@ -193,13 +195,13 @@ TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduct
   return {slip * slip / pi * sum.value, slip / pi * sum.slope};
 }
 
-TemperatureAndSlope with_series(TemperatureAndSlope sum, double slip, double y,
+TemperatureAndSlope with_series(TemperatureAndSlope sum, const ZoneLengths& zones, double y,
                                 const VectorXd& more) {
   if (more.size() == 0) return sum;
-  const SlipPoint at(1 + y, 1 - y);
+  const SlipPoint at(1 + y, 1 - y, zones.beta);
   const auto polynomials = legendre(ArrayXd::Constant(1, y), more.size());
   sum.value += polynomials.row(0).dot(more);
-  sum.slope += polynomials.row(0).dot(derivative(more)) / (slip * 6 * at.u * at.v * at.du);
+  sum.slope += polynomials.row(0).dot(derivative(more)) / (zones.slip * 6 * at.u * at.v * at.du);
   return sum;
 }
 
@@ -226,19 +228,20 @@ HottestPoint largest_of_series(const VectorXd& series) {
   });
 }
 
-HottestPoint find_hottest(double slip, const Conduction& conduction, const VectorXd& h,
+HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction, const VectorXd& h,
                           const HottestPoint& near, const GaussLegendre& rule,
                           const VectorXd& more) {
   const auto temperature = [&](double place) {
-    const auto own = temperature_and_slope(slip, conduction, h, 1 + place, 1 - place, 0, rule);
-    return with_series(own, slip, place, more);
+    const auto own = temperature_and_slope(zones, conduction, h, 1 + place, 1 - place, 0, rule);
+    return with_series(own, zones, place, more);
   };
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
          hottest = more.size() > 0 ? temperature(-1).value : 0;
   for (int step = 0;; ++step) {
-    const SlipPoint at(1 + y, 1 - y);
+    const SlipPoint at(1 + y, 1 - y, zones.beta);
     const TemperatureAndSlope now = temperature(y);
-    const double slope = now.slope * slip * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
+    const double by_s = now.slope * zones.slip;
+    const double slope = by_s * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
     if (step > 0) curvature = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
     const bool at_edge = 1 - y < 1e-12;
@@ -257,10 +260,10 @@ HottestPoint find_hottest(double slip, const Conduction& conduction, const Vecto
 
 ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction, const VectorXd& h,
                             const ArrayXd& s, const GaussLegendre& rule) {
-  const SurfaceHeat heat = surface_heat(at.slip, conduction, h, rule);
+  const SurfaceHeat heat = surface_heat(at, conduction, h, rule);
   ArrayXd sums(s.size());
   for (Index i = 0; i < s.size(); ++i) {
-    const FromEnds x = from_ends(at, s(i)), y = in_y(x, at.slip);
+    const FromEnds x = from_ends(at, s(i)), y = in_y(x, at);
     if (x.left <= 0)
       sums(i) = heat.before(-x.left);
     else
@@ -276,7 +279,7 @@ SmoothFlux smooth_flux(const Carter& c) {
 
 SmoothFlux smooth_flux(const CoupledSolution& x) {
   return {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border),
-          without_ripples(x.scene, x.h)};
+          without_ripples(x.scene, x.h), x.beta};
 }
 
 VectorXd without_ripples(const Scene& scene, const VectorXd& h) {
@@ -297,9 +300,9 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
   for (Index i = 0; i < own; ++i) some(i) = s(i * every);
   const ArrayXd y = gauss_legendre(4).x;
   for (Index i = 0; i < 4; ++i)
-    some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i)).t());
+    some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i), x.beta).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
-    return surface_temperature({x.slip, x.stick}, conduction, x.h, at, gauss_legendre(nodes));
+    return surface_temperature(x.zones(), conduction, x.h, at, gauss_legendre(nodes));
   };
   int nodes = 40;
   for (ArrayXd before = with(nodes, some);;) {
@@ -307,8 +310,8 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
     const double top = now.maxCoeff();
     const double error = quadrature_error(nodes, (now - before).abs().maxCoeff(), top);
     if (error <= tolerance * top / 2 || nodes >= most_unknowns) {
-      const SurfaceHeat heat = surface_heat(x.slip, conduction, x.h, gauss_legendre(nodes));
-      const SurfaceCurve all = at_many_points({x.slip, x.stick}, heat, s, tolerance * top / 2);
+      const SurfaceHeat heat = surface_heat(x.zones(), conduction, x.h, gauss_legendre(nodes));
+      const SurfaceCurve all = at_many_points(x.zones(), heat, s, tolerance * top / 2);
       return {all.temperature, error + all.error};
     }
     before = now;
@@ -317,13 +320,16 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
 
 Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tolerance) {
   int nodes = 40;
-  for (HottestPoint before = find_hottest(x.slip, conduction, x.h, {}, gauss_legendre(nodes));;) {
-    const HottestPoint now =
-        find_hottest(x.slip, conduction, x.h, before, gauss_legendre(nodes += 8));
+  const auto find = [&](const HottestPoint& near) {
+    return find_hottest(x.zones(), conduction, x.h, near, gauss_legendre(nodes));
+  };
+  for (HottestPoint before = find({});;) {
+    nodes += 8;
+    const HottestPoint now = find(before);
     const double error = quadrature_error(nodes, std::abs(now.value - before.value), now.value);
     if (error <= tolerance * now.value || nodes >= most_unknowns) {
       const double moved = std::abs(now.y - before.y) + 1e-9;
-      const SlipPoint at(1 + now.y, 1 - now.y);
+      const SlipPoint at(1 + now.y, 1 - now.y, x.beta);
       const double s = (x.stick - x.slip) / 2 + x.slip * at.t();
       const double at_error = 6 * x.slip * at.u * at.v * at.du * moved;
       return {s, at_error, {now.value, error}};

@@ -11,11 +11,13 @@
 
 namespace thermoroll {
 
-/// The heat flux (1 - c0) sqrt(t (1 - t)) h of @eq:h: the lengths of both zones, and the Legendre
-/// coefficients of h.
+/// The heat flux (1 - c0) sqrt(t (1 - t)) h of @eq:h: the lengths of both zones, the Legendre
+/// coefficients of h, and beta of their variable.
 struct SmoothFlux {
   double slip, stick;
   Eigen::VectorXd h;
+  double beta = 0;
+  ZoneLengths zones() const { return {slip, stick, beta}; }
 };
 
 /// T* and dT*/ds.
@@ -26,7 +28,7 @@ struct TemperatureAndSlope {
 /// T* and dT*/ds at the distances 1 + y = left and 1 - y = right from the ends of the slip zone,
 /// or, with left = 0, across a gap (in lengths of the slip zone); a rule of a multiple of eight
 /// nodes.
-TemperatureAndSlope temperature_and_slope(double slip, const Conduction& conduction,
+TemperatureAndSlope temperature_and_slope(const ZoneLengths& zones, const Conduction& conduction,
                                           const Eigen::VectorXd& h, double left, double right,
                                           double gap, const GaussLegendre& rule);
 
@@ -43,9 +45,9 @@ struct HottestPoint {
 
 /// Find it from a nearby start, to about 1e-8 in y; a rule of a multiple of eight nodes. A Legendre
 /// series in y may be added to T*.
-HottestPoint find_hottest(double slip, const Conduction& conduction, const Eigen::VectorXd& h,
-                          const HottestPoint& near, const GaussLegendre& rule,
-                          const Eigen::VectorXd& more = {});
+HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction,
+                          const Eigen::VectorXd& h, const HottestPoint& near,
+                          const GaussLegendre& rule, const Eigen::VectorXd& more = {});
 
 /// The largest value of a Legendre series that is positive somewhere, to 1.5e-5 in y.
 HottestPoint largest_of_series(const Eigen::VectorXd& series);

@@ -47,7 +47,7 @@ void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   const ArrayXd gap = z.d / slip, further = peclet * (gap - gap.minCoeff());
   GradedRule graded;
-  grade(graded, peclet, gap.minCoeff(), 0, 2, rule);
+  grade(graded, peclet, gap.minCoeff(), 0, 2, rule, z.zones.beta);
   const bool law = scene.law != nullptr;
   const FurtherKernels to_stick = kernels_further(conduction, graded.zeta, further, law);
   const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, thermal.f.cols());
@@ -86,7 +86,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   RowVectorXd mirror = RowVectorXd::Ones(terms);
   for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
   for (Index i = 0; i < n; ++i) {
-    grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule);
+    grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule, z.zones.beta);
     kernel_weights(conduction, graded, columns, weights);
     legendre_sums(graded.y, weights, sums);
     thermal.f.row(i) = sums.row(0);

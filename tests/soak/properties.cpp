@@ -309,10 +309,17 @@ Places scaled(const Places& x, double length, const ArrayXd& weights) {
 }
 
 /// The places of @eq:angles for the nodes y of a rule.
-Places slip_places(double length, const GaussLegendre& rule) {
+Places slip_places(double length, double beta, const GaussLegendre& rule) {
   const auto rise = [](const ArrayXd& eta) { return eta * (3 + (12 - 4 * eta) * eta) / 22; };
-  const ArrayXd du = (15 - 12 * rule.x.square()) / 22 * rule.w;
-  return scaled(cubic(rise(1 + rule.x), rise(1 - rule.x)), length, du);
+  ArrayXd left = 1 + rule.x, right = 1 - rule.x, weights = rule.w;
+  if (beta > 0) {  // psi = tanh(beta x) / tanh(beta)
+    const ArrayXd grown = (beta * left).sinh(), rest = (beta * right).sinh(), sum = grown + rest;
+    left = 2 * grown / sum;
+    right = 2 * rest / sum;
+    weights *= beta / (std::tanh(beta) * (beta * rule.x).cosh().square());
+  }
+  const ArrayXd du = (3 + 12 * left * right) / 22 * weights;
+  return scaled(cubic(rise(left), rise(right)), length, du);
 }
 
 /// The same on the stick zone, q = eps (e^(k rho) - 1) with rho = (1 + x) / 2.
@@ -353,7 +360,7 @@ Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Prof
   const Index n = found.unknowns, m = y.s.size() - n;
   const double near = std::min(slip, smooth_tractions(found, found.unknowns).layer);
   Tractions z{zone(m, [&](const GaussLegendre& r) { return stick_places(1 + c0, near, r); }),
-              zone(n, [&](const GaussLegendre& r) { return slip_places(slip, r); }),
+              zone(n, [&](const GaussLegendre& r) { return slip_places(slip, found.beta, r); }),
               {},
               {},
               {}};

@@ -15,6 +15,8 @@
 #include "driven.hpp"
 #include "first_order.hpp"
 #include "reference.hpp"
+#include "solver/graded_rule.hpp"
+#include "solver/grid_solution.hpp"
 #include "solver/surface.hpp"
 #include "studies/claims.hpp"
 #include "thermoroll/carter.hpp"
@@ -690,10 +692,94 @@ TEST(Coupled, TheNextGridIsPredicted) {
   EXPECT_GE(predicted, 9);
 }
 
+// The first grid whose error can be told has 20 to 30 unknowns, the more the effect of heat and the
+// digits are; without heat it has 20 for every tolerance below 1e-3.
+TEST(Coupled, FirstFineGridFollowsTheEffectOfHeat) {
+  const auto first = [](double heating, double tolerance) {
+    return solve_coupled({0.6, 1e4, heating}, {Formulation::corrected, tolerance},
+                         {Quantity::traction, 0.3})
+        .trace[1]
+        .unknowns;
+  };
+  for (const double tolerance : {1e-4, 1e-6}) {
+    EXPECT_EQ(first(0, tolerance), 20);
+    EXPECT_EQ(first(0.2, 1e-2 * tolerance), 30);
+    for (const double heating : {1e-4, 1e-3, 1e-2, 0.1}) {
+      EXPECT_GE(first(2 * heating, tolerance), first(heating, tolerance)) << heating;
+      EXPECT_GE(first(heating, tolerance / 10), first(heating, tolerance)) << heating;
+    }
+  }
+  const int middle = first(0.0025, 1e-6);
+  EXPECT_TRUE(20 < middle && middle < 30) << middle;
+}
+
+// @eq:crowded with beta > 0: the sum of all du is 1, psi is a quotient of hyperbolic tangents, the
+// distance of two points is the same next to both ends, as far as the distance of their y is, and y
+// is found again from t. A rule of 100 nodes integrates du, whose pole at pi / 2 beta is at least
+// 0.4 away, to rounding.
+TEST(Coupled, MovedEndsLoseNoDigits) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(100);
+  for (const double beta : {1.3, 2.0, 3.9}) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < 100; ++i) {
+      const double y = rule.x(i);
+      const thermoroll::SlipPoint at(1 + y, 1 - y, beta);
+      sum += at.du * rule.w(i);
+      EXPECT_NEAR(at.psi, std::tanh(beta * y) / std::tanh(beta), 8 * epsilon);
+    }
+    EXPECT_NEAR(sum, 1, 200 * epsilon) << beta;
+    for (double near = 0.25; near > 1e-15; near /= 8) {
+      const thermoroll::SlipPoint a(near, 2 - near, beta), b(2 * near, 2 - 2 * near, beta);
+      const thermoroll::SlipPoint c(2 - near, near, beta), d(2 - 2 * near, 2 * near, beta);
+      const double left = t_difference(a, b, near), right = t_difference(d, c, near);
+      EXPECT_NEAR(right / left, 1, 64 * epsilon) << near;
+      EXPECT_NEAR(left / (b.t() - a.t()), 1, 64 * epsilon) << near;
+      EXPECT_NEAR(thermoroll::distance_of_share(a.t(), beta) / near, 1, 64 * epsilon) << near;
+    }
+  }
+}
+
+// Strong heat at high speed has beta > 0, and twice the unknowns with beta = 0 have the same
+// solution at its border; the temperature at any depth and the largest one are those of its flux.
+TEST(Coupled, MovedEndsAgreeWithPlainOnes) {
+  for (const double peclet : {2e5, 4e5}) {
+    const thermoroll::Scene scene{0.8, peclet, 0.6};
+    const CoupledSolution x =
+        solve_coupled(scene, {Formulation::corrected, 1e-8}, {Quantity::traction, 0.4});
+    EXPECT_GT(x.beta, 1);
+    const double slip = x.value(Quantity::slip_length);
+    thermoroll::GridSolution plain, coarser;
+    for (const int n : {15, 30, 60, 120, 240}) {
+      coarser = plain;
+      plain = thermoroll::solve_on_grid(scene, Formulation::corrected, n, {slip, 2 - slip}, plain);
+      ASSERT_GT(plain.newton_steps, 0) << n;
+    }
+    EXPECT_LT(x.unknowns, 240);
+    const thermoroll::Results own = (plain.value - coarser.value).abs();
+    double worst = 0;
+    for (const Quantity q : {Quantity::traction, Quantity::creep, Quantity::load_ratio,
+                             Quantity::heat_integral, Quantity::max_temperature}) {
+      EXPECT_NEAR(x.value(q), plain.value(q), x.error(q) + own(q)) << static_cast<int>(q);
+      worst = std::max(worst, own(q) / x.error(q));
+    }
+    EXPECT_GT(worst, 1) << "120 unknowns with beta = 0 would do";
+    const thermoroll::Peak top =
+        thermoroll::hottest_point(thermoroll::coupled_flux(x), scene.peclet);
+    EXPECT_NEAR(top.temperature.value, x.value(Quantity::max_temperature),
+                x.error(Quantity::max_temperature) + 1e-8 * top.temperature.value);
+  }
+  EXPECT_EQ(
+      solve_coupled({0.6, 4360, 0.0175}, {Formulation::corrected, 1e-6}, {Quantity::traction, 0.3})
+          .beta,
+      0);
+}
+
 // In each of these one rule of the estimate is what makes it hold: the whole change in slow scenes,
 // more for the tail on coarse grids, more for a large tail, and the change of the largest
-// temperature; in the last two, the nodes that the stick zone has more of beside a short slip
-// zone.
+// temperature; in two, the nodes that the stick zone has more of beside a short slip zone; in the
+// last ones, twenty unknowns on the first fine grid, the logarithm in a temperature, the larger
+// parts of a change with moved ends, and the graded nodes that they have more.
 TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
   using enum Quantity;
   constexpr Formulation printed = Formulation::printed, corrected = Formulation::corrected;
@@ -758,6 +844,36 @@ TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
                      {stick_slip_border, 0.98861346593192034},
                      corrected,
                      1.9644777592617966e-06},
+           SoakScene{0.94251269602942656,
+                     484.69893793701544,
+                     5.7675924372280399e-05,
+                     {stick_slip_border, -0.90168182734951308},
+                     corrected,
+                     1.88e-4},
+           SoakScene{0.03930993194524484,
+                     0.18973362537460015,
+                     0.002996063756440917,
+                     {stick_slip_border, -0.34463326019905727},
+                     corrected,
+                     1.3676421130886698e-07},
+           SoakScene{0.83255516663941176,
+                     350866.8869452707,
+                     0.5554451786231408,
+                     {creep, 0.36011698444355444},
+                     corrected,
+                     1.2298933018103148e-07},
+           SoakScene{0.89222446538986278,
+                     691025.14556443423,
+                     2.2606470140845469,
+                     {creep, 0.17323938707691183},
+                     corrected,
+                     7.7969897902938379e-08},
+           SoakScene{1.1036477851244759,
+                     4811.7369087507423,
+                     1.650613268916264,
+                     {creep, 0.37361257309340717},
+                     printed,
+                     9.1259197912133395e-09},
        }) {
     const Driven scene{x.friction, x.friction / 2, x.peclet, x.heating};
     const CoupledSolution found = solve_coupled(scene, {x.formulation, x.tolerance}, x.given);

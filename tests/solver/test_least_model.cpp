@@ -138,11 +138,12 @@ TEST(LeastModel, ClimbsFromAnywhere) {
   const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(64);
   for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
     const double slip = 0.5, peclet = lambda / slip;
-    const Eigen::VectorXd h = thermoroll::carter_h({slip, 2 - slip}, 0.6);
-    const thermoroll::HottestPoint top = thermoroll::find_hottest(slip, peclet, h, {}, rule);
+    const thermoroll::ZoneLengths zones{slip, 2 - slip};
+    const Eigen::VectorXd h = thermoroll::carter_h(zones, 0.6);
+    const thermoroll::HottestPoint top = thermoroll::find_hottest(zones, peclet, h, {}, rule);
     for (double y = -0.9; y < 0.95; y += 0.01)
       for (const double bend : {-0.3, -2.7}) {
-        const auto again = thermoroll::find_hottest(slip, peclet, h, {y, 1, bend}, rule);
+        const auto again = thermoroll::find_hottest(zones, peclet, h, {y, 1, bend}, rule);
         EXPECT_TRUE(close(again.value / top.value, 1, 1e-9)) << lambda << ' ' << y << ' ' << bend;
         EXPECT_TRUE(close(again.y, top.y, 2e-5)) << lambda << ' ' << y << ' ' << bend;
       }

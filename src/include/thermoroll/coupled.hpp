@@ -121,6 +121,7 @@ struct CoupledSolution {
   Eigen::VectorXd h;                  ///< n Legendre coefficients in y of h, @eq:h
   std::vector<Violation> violations;  ///< why it is inadmissible; else empty
   std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for simpler models
+  double beta = 0;                    ///< of the variable y, @eq:angles
   /// If friction depends on temperature and the traction is given: the largest traction, if there
   /// is one, and the branch.
   std::optional<TractionLimit> limit{};
@@ -208,6 +209,7 @@ struct SmoothTractions {
   Eigen::VectorXd h, pressure, stick_pressure, bracket;
   Eigen::VectorXd bound{}, stick_bound{};
   double layer = 2;  ///< length beside the border that the nodes of the stick zone resolve
+  double beta = 0;   ///< of the variable y, @eq:angles
 };
 
 /// The profiles of a solution on a grid of n unknowns at its border; on a grid other than its own,
