@@ -62,6 +62,7 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   share(creep) = std::max(share(creep), share(creep_constant));
   share(creep_constant) = share(creep);
   share += 0.05 * share.head(compared - 2).maxCoeff();
+  share(heat_integral) = std::max(share(heat_integral), 0.1);
   share(max_temperature) = 1;
   return share;
 }
