@@ -142,7 +142,8 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const LawAtNode
   return phi;
 }
 
-/// beta of @eq:angles for a scene with these zones; 9 and 120 are found by trial.
+/// beta of @eq:angles for a scene with these zones; 9 and 120 are found by trial. A chi
+/// of more than 1e6 counts as 1e6, which keeps the sines finite.
 double crowding(const Scene& scene, const ZoneLengths& at) {
   const double strain = scene.friction * heating_of_both(scene) * std::sqrt(at.slip * scene.peclet);
   const bool other_layers = scene.law || is_unlike(scene) || scene.bulk_difference != 0;

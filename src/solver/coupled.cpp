@@ -52,7 +52,8 @@ double shrinking(double now, double before, int n, bool slow, bool crowded) {
 }
 
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
-/// a twentieth of the largest of them; C and the creep both have the larger of theirs.
+/// a twentieth of the largest of them; C and the creep both have the larger of theirs, the heat at
+/// least a tenth, and the temperature 1.
 Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& value) {
   const bool no_cold = scene.law && given.quantity == traction;
@@ -127,7 +128,8 @@ Results estimate_with_law(const Results& change, const Results& share, const Vec
 /// Of an h of ten coefficients and Carter's.
 int unknowns_for_heat(const VectorXd& h, const VectorXd& cold, int digits) {
   const double last = (h - cold).tail(2).lpNorm<Eigen::Infinity>() / h.lpNorm<Eigen::Infinity>();
-  return static_cast<int>(std::clamp(14 + 6 * (std::log10(last) + digits), 20.0, 30.0));
+  const double n = 16 + 6 * (std::log10(last) + digits);
+  return n > 25 ? 30 : static_cast<int>(std::max(n, 20.0));
 }
 
 bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
@@ -215,7 +217,7 @@ int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   if (scene.bulk_difference != 0) return edge_unknowns(scene);
   const int by_digits = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
   const bool plain = !scene.law && !is_unlike(scene) && coarse.at.beta == 0;
-  if (!plain || digits < 4 || coarse.h.size() != 10) return by_digits;
+  if (!plain || coarse.h.size() != 10) return by_digits;
   const VectorXd cold = carter_h(coarse.at, scene.friction);
   return std::min(by_digits, unknowns_for_heat(coarse.h, cold, digits));
 }

@@ -20,10 +20,10 @@ using Eigen::VectorXd;
 [[gnu::always_inline]] inline void crowd(const SlipPoint& from, GradedArray& ahead,
                                          GradedArray& etas, GradedArray& rests,
                                          GradedArray& weights) {
-  const double beta = from.beta, end = 2 * std::sinh(2 * beta);
+  const double beta = from.beta;
   const GradedArray a = sinh_of(beta * etas), b = sinh_of(beta * rests), sums = a + b;
-  ahead = end / from.sum * sinh_of(beta * ahead) / sums;
-  weights *= beta * end / sums.square();
+  ahead = from.end / from.sum * sinh_of(beta * ahead) / sums;
+  weights *= beta * from.end / sums.square();
   etas = 2 * a / sums;
   rests = 2 * b / sums;
 }
@@ -44,7 +44,7 @@ struct Steps {
 THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, double left,
                              double right, const GaussLegendre& rule, double beta) {
   const SlipPoint from(left, right, beta);
-  const double end_growth = beta > 0 ? 2 * beta / std::sinh(2 * beta) : 1;  // of psi by y
+  const double end_growth = beta > 0 ? 4 * beta / from.end : 1;  // of psi by y
   const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27) / end_growth;
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
   const double ell = std::log1p(right / delta);

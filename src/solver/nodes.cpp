@@ -51,8 +51,8 @@ double distance_of_share(double t, double beta) {
   const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
   const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
   const double x = eta - (slip_cubic(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));  // 1 + psi
-  const double grown = std::sinh(beta);
-  return beta > 0 ? std::atanh(x * grown * std::cosh(beta) / (1 + x * grown * grown)) / beta : x;
+  if (beta == 0) return x;
+  return std::log1p(x * std::sinh(2 * beta) / (1 + x * std::expm1(-2 * beta) / 2)) / (2 * beta);
 }
 
 }  // namespace thermoroll

@@ -79,7 +79,8 @@ struct SlipPoint {
     if (beta > 0) {
       const double a = std::sinh(beta * left), b = std::sinh(beta * right);
       sum = a + b;
-      growth = 2 * beta * std::sinh(2 * beta) / (sum * sum);
+      end = 2 * std::sinh(2 * beta);
+      growth = beta * end / (sum * sum);
       left = 2 * a / sum;
       right = 2 * b / sum;
     }
@@ -88,14 +89,14 @@ struct SlipPoint {
     v = slip_cubic(right);
     du = (3 + 12 * left * right) / 22 * growth;
   }
-  double beta, y, psi, u, v, du, sum = 0, growth = 1;  // du: the derivative of u by y
+  double beta, y, psi, u, v, du, sum = 0, end = 0, growth = 1;  // du: the derivative of u by y
   double t() const { return u * u * (1 + 2 * v); }
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
 
 /// t(b) - t(a) for points whose y differ by the step, without subtracting nearly equal numbers.
 inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
-  if (a.beta > 0) step = 2 * std::sinh(2 * a.beta) * std::sinh(a.beta * step) / (a.sum * b.sum);
+  if (a.beta > 0) step = a.end * std::sinh(a.beta * step) / (a.sum * b.sum);
   const double du = step * (15 - 4 * (a.psi * a.psi + a.psi * b.psi + b.psi * b.psi)) / 22;
   const bool left = a.u + b.u < 1;
   const double x = left ? a.u : a.v, z = left ? b.u : b.v;
@@ -115,7 +116,7 @@ struct Nodes {
   Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
 };
 
-/// The ten Legendre coefficients of Carter's h.
+/// The ten Legendre coefficients of Carter's h for beta = 0.
 Eigen::VectorXd carter_h(const ZoneLengths& at, double friction);
 
 /// The nodes of both zones of these lengths.

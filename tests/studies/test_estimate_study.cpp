@@ -95,9 +95,9 @@ TEST(Study, SampleIsOfTheseScenes) {
 
 // Neither the tail nor a change shows the errors of scene 504 due to a layer that the stick nodes
 // do not resolve, of 2758 due to the graded rules, of 1444 due to the logarithm in the largest
-// temperature, of 1481 due to the last correction, and of 3508, whose creep heat changes less than
-// both of its parts, and whose heat it changes less than the flux. In 400 the forces are Carter's but for some millionths, and so are their
-// errors those of the heat.
+// temperature, of 1481 due to the last correction, and of 3508, where heat changes the
+// creep less than both of its parts, and the whole heat less than the flux. In 400 the forces are
+// Carter's but for some millionths, and so are their errors those of the heat.
 TEST(Study, ErrorsThatTailsDoNotShowAreCounted) {
   const auto solved = [](const thermoroll::StudyScene& x, double tolerance) {
     return thermoroll::solve_coupled(x.scene, {thermoroll::Formulation::corrected, tolerance},

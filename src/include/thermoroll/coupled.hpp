@@ -183,7 +183,7 @@ struct FluxMap {
   Eigen::RowVectorXd kappa;  ///< the load ratio is 1 + kappa h
 };
 
-/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0.
+/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0 if beta = 0.
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 
 /// The heat flux v* p* of a solution.
