@@ -142,7 +142,8 @@ TEST(SpeedFigures, CachedRunsHaveTheSameErrors) {
 }
 
 // Little heat costs no more than four times the unknowns from speed to speed; strong heat costs
-// more, and from one speed to the next higher one it never takes off a third.
+// more, and from one speed to the next higher one it never takes off a third. Over seven decades of
+// speed it costs three to six times the unknowns; without moved ends it would be six to eight.
 TEST(SpeedFigures, CostGrowsWithDigitsAndHeat) {
   const Table table = data("cost");
   const auto unknowns = [&](const char* tolerance, const char* heating) {
@@ -154,12 +155,13 @@ TEST(SpeedFigures, CostGrowsWithDigitsAndHeat) {
     for (std::size_t i = 0; i < fine.x.size(); ++i)
       EXPECT_GT(fine.y[i], at(coarse, fine.x[i])) << heating;
   }
-  EXPECT_GE(at(unknowns("1e-08", "1"), 1e6), 2 * at(unknowns("1e-08", "0.0175"), 1e6));
+  EXPECT_GE(at(unknowns("1e-08", "1"), 1e6), 1.5 * at(unknowns("1e-08", "0.0175"), 1e6));
   EXPECT_GE(at(unknowns("1e-06", "1"), 1e4), 2 * at(unknowns("1e-06", "0.0175"), 1e4));
   for (const char* tolerance : {"0.0001", "1e-06", "1e-08"}) {
     const Curve little = unknowns(tolerance, "0.0175"), much = unknowns(tolerance, "1");
     EXPECT_LE(largest(little), 4 * *std::min_element(little.y.begin(), little.y.end()));
-    EXPECT_GE(much.y.back(), 6 * much.y.front()) << tolerance;
+    EXPECT_GE(much.y.back(), 3 * much.y.front()) << tolerance;
+    EXPECT_LT(much.y.back(), 6 * much.y.front()) << tolerance;
     for (std::size_t i = 1; i < much.y.size(); ++i)
       EXPECT_GT(3 * much.y[i], 1.99 * much.y[i - 1]) << tolerance;
   }
