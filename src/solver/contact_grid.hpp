@@ -40,7 +40,7 @@ struct ContactGrid {
   std::optional<HotFriction> hot{};            // if friction depends on temperature
 };
 
-double crowding(const Scene& scene, const ZoneLengths& at);
+double crowding(const Scene& scene, Formulation formulation, const ZoneLengths& at);
 
 /// With these rules, for an h of so many terms; or with n unknowns, and as many terms.
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,

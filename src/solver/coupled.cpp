@@ -149,7 +149,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
-  level.at.beta = crowding(scene, level.at);
+  level.at.beta = crowding(scene, formulation, level.at);
   const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
   const int cautious = crosses && digits > 4 ? 16 : 10;
   const int first = scene.law ? 12 : easy ? 6 : cautious, last = scene.law ? 96 : 80;
