@@ -661,12 +661,12 @@ local function corners(path)
   return out
 end
 
---- A path of lines by the steps from corner to corner, in hundredths as before, which are shorter. Between
---- numbers stands what keeps them apart: nothing before a sign, or before a second point.
+--- A path of lines by the steps from corner to corner, in tenths, which are shorter and as good to the
+--- eye. Between numbers stands what keeps them apart: nothing before a sign, or before a second point.
 local function relative(path)
   local out, last = {}, ""
-  local function add(hundredths)
-    local number = string.format("%.2f", hundredths / 100):gsub("%.?0+$", ""):gsub("^(-?)0%.", "%1.")
+  local function add(tenths)
+    local number = string.format("%.1f", tenths / 10):gsub("%.0$", ""):gsub("^(-?)0%.", "%1.")
     local apart = last == "" or number:find("^-") or number:find("^%.") and last:find(".", 1, true)
     table.insert(out, (apart and "" or " ") .. number)
     last = number
@@ -677,9 +677,10 @@ local function relative(path)
       table.insert(out, "m")
       last = ""
     end
-    add(point.x - x)
-    add(point.y - y)
-    x, y = point.x, point.y
+    local to_x, to_y = math.floor(point.x / 10 + 0.5), math.floor(point.y / 10 + 0.5)
+    add(to_x - x)
+    add(to_y - y)
+    x, y = to_x, to_y
   end
   return table.concat(out)
 end
