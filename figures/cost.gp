@@ -20,10 +20,10 @@ end(digits, heating, lift) = sprintf("data using (chosen(1e-%d, %g) == 1e6 ? 1e6
   digits, heating, digits, lift)
 panel(k, heating, title, apart) = sprintf("set label 1 '%s' at graph 0, graph 1.08; ", title) \
   .sprintf("set tmargin at screen %g; set bmargin at screen %g; plot ", 0.94 - k*0.46, 0.58 - k*0.46) \
-  .end(4, heating, -0.3*apart).', '.end(6, heating, 0).', '.end(8, heating, 0.9*apart).', ' \
+  .end(4, heating, -0.4*apart).', '.end(6, heating, 0.2*apart).', '.end(8, heating, 0).', ' \
   .line(4, heating, 1).', '.line(6, heating, 2).', '.line(8, heating, 3)
 set multiplot
-eval panel(0, 0.0175, 'a. {/:Italic H} = 0.0175', 0)
+eval panel(0, 0.0175, 'a. {/:Italic H} = 0.0175', 1)  # two curves nearly meet at their end
 set xlabel 'Pe' offset 0,0.6
-eval panel(1, 1, 'b. {/:Italic H} = 1', 1)  # two curves meet at their end
+eval panel(1, 1, 'b. {/:Italic H} = 1', 0)
 unset multiplot

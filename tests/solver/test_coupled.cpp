@@ -724,9 +724,9 @@ TEST(Coupled, FirstFineGridFollowsTheEffectOfHeat) {
 }
 
 // @eq:crowded with beta > 0: the sum of all du is 1, psi is a quotient of hyperbolic tangents, the
-// distance of two points is the same next to both ends, as far as the distance of their y is, and y
-// is found again from t. A rule of 100 nodes integrates du, whose pole at pi / 2 beta is at least
-// 0.27 away, to 1e-20.
+// distance of two points is the same next to both ends, as far as the distance of their y is, y is
+// found again from t, and a graded rule has the same points, however near to its target. A rule of
+// 100 nodes integrates du, whose pole at pi / 2 beta is at least 0.27 away, to 1e-20.
 TEST(Coupled, MovedEndsLoseNoDigits) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(100);
@@ -746,6 +746,14 @@ TEST(Coupled, MovedEndsLoseNoDigits) {
       EXPECT_NEAR(right / left, 1, 64 * epsilon) << near;
       EXPECT_NEAR(left / (b.t() - a.t()), 1, 64 * epsilon) << near;
       EXPECT_NEAR(thermoroll::distance_of_share(a.t(), beta) / near, 1, 64 * epsilon) << near;
+    }
+    thermoroll::GradedRule graded;
+    grade(graded, 1e5, 0, 0, 2, rule, beta);
+    const double delta = 6 * 22 * std::sqrt(1e-5 / 27) * std::sinh(2 * beta) / (2 * beta);
+    for (Eigen::Index i = 0; i < 100; ++i) {
+      const double step = delta * std::expm1(std::log1p(2 / delta) * rule.cube(i));
+      const double t = thermoroll::SlipPoint(step, 2 - step, beta).t();
+      EXPECT_NEAR(graded.zeta(i) / (1e5 * t), 1, 256 * epsilon) << beta << ' ' << step;
     }
   }
 }
