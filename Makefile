@@ -260,7 +260,7 @@ $(data_files): build/thermoroll | build/data
 $(recipe_files): build/data/recipe-%.csv: src/program/recipes/%.sh src/program/recipes/locomotive.toml build/thermoroll | build/data
 	$(call step,computing $@)
 	@rm -rf build/recipes/$* && mkdir -p build/recipes/$* && cp src/program/recipes/locomotive.toml build/recipes/$*
-	@cd build/recipes/$* && PATH="$(CURDIR)/build:$$PATH" ROWS=110 sh ../../../src/program/recipes/$*.sh
+	@cd build/recipes/$* && PATH="$(CURDIR)/build:$$PATH" ROWS=100 sh ../../../src/program/recipes/$*.sh
 	@mv build/recipes/$*/$*.csv $@
 
 $(study_files): build/data/%: figures/measured/study/% | build/data
