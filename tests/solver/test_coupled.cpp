@@ -759,7 +759,7 @@ TEST(Coupled, MovedEndsLoseNoDigits) {
 }
 
 // Strong heat at high speed has beta > 0, and twice the unknowns with beta = 0 have the same
-// solution at its border; the temperature at any depth and the largest one are those of its flux.
+// solution at its border; the largest temperature is that of its flux.
 TEST(Coupled, MovedEndsAgreeWithPlainOnes) {
   for (const double peclet : {2e5, 4e5}) {
     const thermoroll::Scene scene{0.8, peclet, 0.8};
