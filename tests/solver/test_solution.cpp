@@ -264,18 +264,24 @@ namespace {
 
 /// Scenes of each kind that has profiles of its own, by the least model and on a coarse grid.
 std::vector<Solution> profiled() {
-  const Scene scene{0.6, 100, 0.5}, cold{0.6, 100, 1e-9};
+  const Scene scene{0.6, 100, 0.5}, cold{0.6, 100, 1e-9}, moved_ends{0.8, 2e5, 0.8};
   Scene pair = scene, warm = scene, hot = scene;
   pair.roller = {2, 0.7, 20};
   warm.roller = {1, 0.5};
   warm.bulk_difference = 0.01;
   hot.law = linear_friction({0.05});
   const Approach rough{.tolerance = 1e-2};
-  return {solve(scene, {traction, 0.5}),  solve(scene, {traction, -0.5}, rough),
-          solve(cold, {traction, 0.3}),   solve(scene, {creep, 0.6}),
-          solve(pair, {creep, 0.1}),      solve(warm, {stick_slip_border, 0.1}, rough),
-          solve(hot, {creep, 0.1}),       solve(hot, {creep, 0.7}, rough),
-          solve(scene, {traction, 1e-6}), solve(scene, {traction, 0.5999999})};
+  return {solve(scene, {traction, 0.5}),
+          solve(scene, {traction, -0.5}, rough),
+          solve(cold, {traction, 0.3}),
+          solve(scene, {creep, 0.6}),
+          solve(pair, {creep, 0.1}),
+          solve(warm, {stick_slip_border, 0.1}, rough),
+          solve(hot, {creep, 0.1}),
+          solve(hot, {creep, 0.7}, rough),
+          solve(scene, {traction, 1e-6}),
+          solve(scene, {traction, 0.5999999}),
+          solve(moved_ends, {traction, 0.4}, {.tolerance = 1e-4})};
 }
 
 }  // namespace
@@ -858,22 +864,25 @@ TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
 }
 
 // The curve is that of the flux on the last grid, whose largest temperature is then corrected for
-// what is left of the prescribed quantity. In these scenes the correction is larger than the error
-// of the result. Elsewhere the curve is held against that of a tenth of the tolerance.
+// what is left of the prescribed quantity. In the first scenes the correction is larger than the
+// error of the result; in the last one the nodes are moved to the ends. Elsewhere the curve is held
+// against that of a tenth of the tolerance.
 TEST(Solution, ErrorOfATemperatureIncludesTheLastCorrection) {
   struct Given {
     Scene scene;
     double creep, tolerance;
   };
+  int beyond = 0;
   for (const auto& [scene, xi, tolerance] :
        {Given{{0.07326935, 128433.9, 0.1451372}, 1.425133e-4, 2.97e-9},
         Given{{0.2700362, 8.287458, 1.041757}, 0.1182283, 2.3e-7},
-        Given{{0.8537543, 320416.1, 1.002753}, 0.2083559, 3.92e-9}}) {
+        Given{{0.8537543, 320416.1, 1.002753}, 0.2083559, 3.92e-9},
+        Given{{0.7163644, 319997.8, 7.503096}, 0.08136242, 2e-6}}) {
     const Solution x =
         solve(scene, {creep, xi}, {Formulation::corrected, tolerance, Method::coupled});
     const CurvePoint top = temperature_curve(x, {x.value(max_temperature_at)}, 0).points[0];
     const double off = std::abs(top.temperature - x.value(max_temperature));
-    EXPECT_GT(off, (*x.error)(max_temperature)) << scene.peclet;
+    if (off > (*x.error)(max_temperature)) ++beyond;
     EXPECT_LE(off, *top.error) << scene.peclet;
     const std::vector<double> at{-0.2, 0.3, 0.7, 0.95, 1.5};
     const Solution y =
@@ -884,6 +893,7 @@ TEST(Solution, ErrorOfATemperatureIncludesTheLastCorrection) {
                 *coarse.points[i].error)
           << scene.peclet << " at " << at[i];
   }
+  EXPECT_EQ(beyond, 3);
 }
 
 // Where one correction would change all, its error has no bound, and there is no solution to
