@@ -53,7 +53,7 @@ constexpr Formulation sign = Formulation::corrected;
 struct LastGrid {
   CoupledSolution x = solve_coupled(steel, {sign, 1e-8}, {Quantity::traction, 0.5});
   SmoothFlux flux = smooth_flux(x);
-  ContactGrid grid = contact_grid(steel, sign, {flux.slip, flux.stick}, 60);
+  ContactGrid grid = contact_grid(steel, sign, flux.zones(), 60);
   ThermalTerms thermal(Eigen::Index terms) const {
     return thermal_terms(steel, sign, grid.nodes, terms, grid.rules.graded);
   }

@@ -467,7 +467,7 @@ std::vector<ExchangedFlux> crossing_flux(const CoupledSolution& x) {
 std::vector<ExchangedFlux> exchanged_fluxes(const Scene& scene, Formulation formulation,
                                             const SmoothFlux& by, int nodes) {
   std::vector<ExchangedFlux> all;
-  const ZoneLengths at{by.slip, by.stick};
+  const ZoneLengths at = by.zones();
   const auto n = static_cast<int>(by.h.size());
   const GridRules rules(std::max(n, nodes), at);
   const Nodes z = place_nodes(at, rules.slip, rules.stick);

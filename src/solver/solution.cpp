@@ -176,7 +176,7 @@ SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(std::get<Carter>(x.found));
   const double tolerance = std::min(x.approach.tolerance, 1e-8) / 2, share = heat_share(x.scene);
-  const Conduction conduction(x.scene, !exchanges(x.scene, {flux.slip, flux.stick}));
+  const Conduction conduction(x.scene, !exchanges(x.scene, flux.zones()));
   const SurfaceCurve found = surface_curve(flux, conduction, s, tolerance);
   SurfaceCurve all{share * found.temperature, share * found.error};
   for (const ExchangedFlux& e : coupled ? crossing_flux(*coupled) : std::vector<ExchangedFlux>{})
