@@ -6,20 +6,20 @@
 
 namespace thermoroll {
 
-std::vector<Kernels> kernels_at(const Eigen::ArrayXd& zeta) {
-  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
-  fast_kernels(k.size(), zeta.data(), k.data());
+GradedKernels kernels_at(const GradedArray& zeta) {
+  GradedKernels k(zeta.size());
+  fast_kernels(static_cast<std::size_t>(zeta.size()), zeta.data(), k.data());
   return k;
 }
 
-std::vector<Kernels> pair_kernels(const Conduction& c, const Eigen::ArrayXd& zeta) {
-  const Eigen::ArrayXd z = zeta / c.peclet;
+GradedKernels pair_kernels(const Conduction& c, const GradedArray& zeta) {
+  const GradedArray z = zeta / c.peclet;
   const double d1 = c.pair->slope_1, d2 = c.pair->slope_2, unit = d1 + d2 > 0 ? 1 / (d1 + d2) : 0;
-  std::vector<Kernels> all = kernels_at(c.pair->peclet * z);
-  const std::vector<Kernels> others = kernels_at(c.pair->other_peclet * z);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  GradedKernels all = kernels_at(c.pair->peclet * z);
+  const GradedKernels others = kernels_at(c.pair->other_peclet * z);
+  for (Eigen::Index i = 0; i < all.size(); ++i) {
     const Kernels k1 = all[i], &k2 = others[i];
-    const Remainders r = (*c.pair)(z(static_cast<Eigen::Index>(i)));
+    const Remainders r = (*c.pair)(z[i]);
     all[i] = {unit * (d1 * k1.n1 + d2 * k2.n1 + r(0)),
               unit * (d1 * k1.n2_up - d2 * k2.n2_up + r(1)),
               unit * (d1 * k1.n2_down - d2 * k2.n2_down + r(3)), k1.m_down + r(4)};
@@ -27,11 +27,11 @@ std::vector<Kernels> pair_kernels(const Conduction& c, const Eigen::ArrayXd& zet
   return all;
 }
 
-Eigen::ArrayXd pair_temperatures(const Conduction& c, double side, const Eigen::ArrayXd& zeta) {
-  const Eigen::ArrayXd z = zeta / c.peclet, zeta_1 = c.pair->peclet * z;
-  const std::vector<Kernels> all = kernels_at(zeta_1);
-  Eigen::ArrayXd m(zeta.size());
-  for (Eigen::Index i = 0; i < m.size(); ++i) m(i) = all[static_cast<std::size_t>(i)].m_down;
+GradedArray pair_temperatures(const Conduction& c, double side, const GradedArray& zeta) {
+  const GradedArray z = zeta / c.peclet, zeta_1 = c.pair->peclet * z;
+  const GradedKernels all = kernels_at(zeta_1);
+  GradedArray m(zeta.size());
+  for (Eigen::Index i = 0; i < m.size(); ++i) m[i] = all[i].m_down;
   if (side > 0) m *= (-2 * zeta_1).max(-600).exp();  // numbers next to the smallest are slow
   for (Eigen::Index i = 0; i < m.size(); ++i) m(i) += (*c.pair)(z(i))(side > 0 ? 2 : 4);
   return m;
@@ -53,14 +53,14 @@ Conduction::Conduction(const Scene& scene, bool crossing) : peclet(scene.peclet)
   pair = table_of(scene, crossing);
 }
 
-std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta) {
+GradedKernels at_distances(const Conduction& c, const GradedArray& zeta) {
   return c.pair ? pair_kernels(c, zeta) : kernels_at(zeta);
 }
 
-Eigen::ArrayXd temperatures_ahead(const Conduction& c, const Eigen::ArrayXd& zeta,
-                                  const Eigen::ArrayXd& behind) {
+GradedArray temperatures_ahead(const Conduction& c, const GradedArray& zeta,
+                               const GradedArray& behind) {
   if (c.pair) return pair_temperatures(c, 1, zeta);
-  Eigen::ArrayXd ahead = Eigen::ArrayXd::Zero(zeta.size());
+  GradedArray ahead = GradedArray::Zero(zeta.size());
   const Eigen::Index near = (zeta < 20).count();
   ahead.head(near) = behind.head(near) * (-2 * zeta.head(near)).exp();
   return ahead;

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "model/kernel_table.hpp"
+#include "solver/gauss_legendre.hpp"
 #include "solver/pair_table.hpp"
 #include "thermoroll/scene.hpp"
 
@@ -22,14 +22,16 @@ struct Conduction {
   std::shared_ptr<const PairTable> pair{};  // of unlike bodies
 };
 
+using GradedKernels = Eigen::Array<Kernels, Eigen::Dynamic, 1, 0, most_unknowns + 24, 1>;
+
 /// The kernels at all of these distances |zeta| > 0.
-std::vector<Kernels> at_distances(const Conduction& c, const Eigen::ArrayXd& zeta);
+GradedKernels at_distances(const Conduction& c, const GradedArray& zeta);
 
 /// M(side zeta), zeta > 0, of a pair: ahead of a source, or behind it for side = -1.
-Eigen::ArrayXd pair_temperatures(const Conduction& c, double side, const Eigen::ArrayXd& zeta);
+GradedArray pair_temperatures(const Conduction& c, double side, const GradedArray& zeta);
 
 /// M at the ascending distances zeta > 0 ahead of a source, from M behind it.
-Eigen::ArrayXd temperatures_ahead(const Conduction& c, const Eigen::ArrayXd& zeta,
-                                  const Eigen::ArrayXd& behind);
+GradedArray temperatures_ahead(const Conduction& c, const GradedArray& zeta,
+                               const GradedArray& behind);
 
 }  // namespace thermoroll

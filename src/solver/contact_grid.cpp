@@ -162,15 +162,7 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   tractions.gamma0 = z.over_root.transpose() * thermal.f / pi;
   tractions.kappa = z.over_root.cwiseProduct(position).transpose() * thermal.f;
   MatrixXd in_p(n, n + m), in_v(n, m);
-  std::vector<SlipPoint> points;
-  for (Index i = 0; i < n; ++i) points.emplace_back(1 + z.y(i), 1 - z.y(i), z.zones.beta);
-  for (Index j = 0; j < n; ++j) {
-    const SlipPoint& to = points[static_cast<std::size_t>(j)];
-    for (Index i = 0; i < n; ++i) {
-      const SlipPoint& at = points[static_cast<std::size_t>(i)];
-      in_p(i, j) = j == i ? 0 : z.over_root(j) / (z.zones.slip * t_difference(at, to, to.y - at.y));
-    }
-  }
+  in_p.leftCols(n) = over_distances(z, -z.over_root.head(n));
   for (Index j = 0; j < m; ++j) {
     const ArrayXd away = z.zones.slip * z.t + z.d(j);  // s - r
     in_p.col(n + j) = -z.over_root(n + j) / away;
@@ -277,7 +269,7 @@ VectorXd carter_h(const ContactGrid& grid) {
   const double f = grid.scene.friction;
   ArrayXd h = 4 * f / (pi * pi) * grid.nodes.sigma;
   if (grid.nodes.zones.stick == 0) h = grid.tractions.p0 * grid.tractions.v0;  // full slip
-  return to_legendre(grid.rules.slip) * h.matrix();
+  return to_legendre(grid.rules.slip, h.matrix());
 }
 
 int solve_flux(const ContactGrid& grid, VectorXd& h) {
@@ -306,6 +298,14 @@ int solve_flux(const ContactGrid& grid, VectorXd& h) {
   return direct;  // on a coarse grid, a flux of the wrong sign is a better start than none
 }
 
+/// By r, at the stick nodes, from the values there.
+ArrayXd slope_on_stick(const ContactGrid& grid, const VectorXd& values) {
+  const Nodes& z = grid.nodes;
+  const GaussLegendre& stick = grid.rules.stick;
+  const ArrayXd dx_dr = -stick.w / (z.over_w * (z.d * (z.zones.stick - z.d)).sqrt());
+  return dx_dr * (stick.p * derivative(to_legendre(stick, values))).array();
+}
+
 Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const Nodes& z = grid.nodes;
   const TractionOperators& tractions = grid.tractions;
@@ -313,17 +313,14 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const double friction = grid.scene.friction;
   const double kappa = 1 + (tractions.kappa.dot(h) + grid.thermal.bulk.kappa);
   ArrayXd f = grid.thermal.f * h, g = strain_on_stick(grid, h);
-  const GaussLegendre& stick = grid.rules.stick;
-  const ArrayXd dx_dr = -stick.w / (z.over_w * (z.d * (z.zones.stick - z.d)).sqrt());
-  const MatrixXd to = to_legendre(stick), slopes = by_derivatives(stick.p);
-  const ArrayXd df = dx_dr * (slopes * (to * f.tail(m).matrix())).array();
-  const ArrayXd dg = dx_dr * (slopes * (to * g.matrix())).array();
+  const ArrayXd df = slope_on_stick(grid, f.tail(m)), dg = slope_on_stick(grid, g);
   const ArrayXd over_root = z.over_root.array();
   ArrayXd p = 2 * kappa - over_root.tail(m) * df, v = 2 * friction * kappa - z.over_w * dg;
+  ArrayXd distance(m);
   for (Index i = 0; i < m; ++i) {
-    const ArrayXd to_slip = z.zones.slip * z.t + z.d(i);
-    p(i) -= (over_root.head(n) * (f.head(n) - f(n + i)) / to_slip).sum();
-    ArrayXd distance = z.d(i) - z.d;
+    distance = z.zones.slip * z.t + z.d(i);
+    p(i) -= (over_root.head(n) * (f.head(n) - f(n + i)) / distance).sum();
+    distance = z.d(i) - z.d;
     distance(i) = 1;  // any number: f - f is 0 there
     p(i) -= (over_root.tail(m) * (f.tail(m) - f(n + i)) / distance).sum();
     v(i) -= (z.over_w * (g - g(i)) / distance).sum();

@@ -108,7 +108,7 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const double delta = 6 * std::min(at_end, 1 / (speed * 6 * u * v * du));
   const double k = std::log1p((side > 0 ? from.right : from.left) / delta);
   const GradedArray step = delta * exp_less_one(k * rule.cube);
-  const GradedArray dx = 1.5 * k * rule.w * rule.rho.square() * (step + delta);
+  const GradedArray dx = k * rule.dcube * (step + delta);
   const double middle = (from.left - from.right) / 2;
   ZoneRule graded{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
   const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
@@ -140,24 +140,17 @@ struct ExchangeRows {
   MatrixXd jump, temperature, slope, strain, heat;
 };
 
-std::vector<Kernels> kernels_along(const ZoneRule& graded, double peclet) {
-  const GradedArray zeta = peclet * graded.apart;
-  std::vector<Kernels> k(static_cast<std::size_t>(zeta.size()));
-  fast_kernels(k.size(), zeta.data(), k.data());
-  return k;
-}
-
 KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& graded, bool heats) {
-  const std::vector<Kernels> first = kernels_along(graded, pair.peclet);
+  const GradedKernels first = at_distances(pair.peclet, pair.peclet * graded.apart);
   const bool alike = pair.peclet == pair.peclet_2, mirrored = graded.mirrored.size() > 0;
-  const std::vector<Kernels> second = alike ? first : kernels_along(graded, pair.peclet_2);
+  const GradedKernels second =
+      alike ? first : at_distances(pair.peclet_2, pair.peclet_2 * graded.apart);
   const double twice = graded.upstream ? -2 : 0;
   const GradedArray ahead_1 = (twice * pair.peclet * graded.apart).max(-600).exp();
   const GradedArray ahead_2 = (twice * pair.peclet_2 * graded.apart).max(-600).exp();
   KernelWeights weights(graded.x.size(), mirrored ? (heats ? 9 : 7) : 5);
   for (Index i = 0; i < graded.x.size(); ++i) {
-    const Kernels& k1 = first[static_cast<std::size_t>(i)];
-    const Kernels& k2 = second[static_cast<std::size_t>(i)];
+    const Kernels &k1 = first[i], &k2 = second[i];
     const double flux = graded.exchanged[i], heat = graded.heat[i] * pair.share;
     const double m1 = k1.m_down * ahead_1[i], m2 = k2.m_down * ahead_2[i];
     const double slope = graded.upstream ? pair.slope * k1.n1 + pair.slope_2 * k2.n1 : 0;
@@ -338,10 +331,10 @@ double temperature_by(const ZoneMap& zone, double peclet, const Target& target,
     if ((side > 0 ? target.right : target.left) == 0) continue;
     const ZoneRule graded = zone_rule(zone, peclet, target, side, rule);
     const GradedArray flux = graded.exchanged * series(1, graded.x, series_of_zone);
-    const std::vector<Kernels> kernels = kernels_along(graded, peclet);
+    const GradedKernels kernels = at_distances(peclet, peclet * graded.apart);
     for (Index i = 0; i < flux.size(); ++i) {
       const double before = graded.upstream ? std::exp(-2 * peclet * graded.apart[i]) : 1;
-      sum += kernels[static_cast<std::size_t>(i)].m_down * before * flux[i];
+      sum += kernels[i].m_down * before * flux[i];
     }
   }
   return sum / pi;

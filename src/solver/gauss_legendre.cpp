@@ -11,6 +11,7 @@ namespace thermoroll {
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 MatrixXd legendre(const ArrayXd& x, Index n) {
   MatrixXd p = MatrixXd::Ones(x.size(), n);
@@ -23,7 +24,7 @@ MatrixXd legendre(const ArrayXd& x, Index n) {
 }
 
 static GaussLegendre make_rule(int n) {
-  GaussLegendre rule{ArrayXd(n), ArrayXd(n), {}, {}, {}};
+  GaussLegendre rule{ArrayXd(n), ArrayXd(n), {}, {}, {}, {}};
   const auto size = static_cast<std::size_t>(n);
   gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);
   if (table == nullptr) throw std::bad_alloc();
@@ -38,6 +39,7 @@ static GaussLegendre make_rule(int n) {
   rule.p = all.leftCols(n);
   const ArrayXd slope_of_p_n = n * (all.col(n - 1).array() - rule.x * all.col(n).array());
   rule.w = 2 * (1 - rule.x.square()) / slope_of_p_n.square();
+  rule.dcube = 1.5 * rule.w * rule.rho.square();
   return rule;
 }
 
@@ -51,6 +53,12 @@ const GaussLegendre& gauss_legendre(int n) {
 MatrixXd to_legendre(const GaussLegendre& rule) {
   const ArrayXd l = ArrayXd::LinSpaced(rule.x.size(), 0, static_cast<double>(rule.x.size() - 1));
   return (l + 0.5).matrix().asDiagonal() * rule.p.transpose() * rule.w.matrix().asDiagonal();
+}
+
+VectorXd to_legendre(const GaussLegendre& rule, const VectorXd& values) {
+  VectorXd c = rule.p.transpose() * rule.w.matrix().cwiseProduct(values);
+  for (Index l = 0; l < c.size(); ++l) c(l) *= static_cast<double>(l) + 0.5;
+  return c;
 }
 
 }  // namespace thermoroll

@@ -9,11 +9,14 @@ namespace thermoroll {
 constexpr int most_unknowns = 480;
 
 /// Gauss-Legendre nodes x and weights w on (-1, 1), and the values p of P_0 ... P_{n-1} at them;
-/// for graded rules, rho = (1 + x) / 2 and its cube.
+/// for graded rules, rho = (1 + x) / 2, its cube, and the weights of d rho^3.
 struct GaussLegendre {
-  Eigen::ArrayXd x, w, rho, cube;
+  Eigen::ArrayXd x, w, rho, cube, dcube;
   Eigen::MatrixXd p;
 };
+
+/// A number for each node of a graded rule, on the stack.
+using GradedArray = Eigen::Array<double, Eigen::Dynamic, 1, 0, most_unknowns + 24, 1>;
 
 /// The rule of n >= 0 nodes; made once per thread.
 const GaussLegendre& gauss_legendre(int n);
@@ -23,5 +26,8 @@ Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);
 
 /// From values at the nodes to Legendre coefficients, an n x n matrix.
 Eigen::MatrixXd to_legendre(const GaussLegendre& rule);
+
+/// Its product with some values.
+Eigen::VectorXd to_legendre(const GaussLegendre& rule, const Eigen::VectorXd& values);
 
 }  // namespace thermoroll

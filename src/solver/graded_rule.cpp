@@ -11,34 +11,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-[[gnu::always_inline]] inline GradedArray sinh_of(const GradedArray& x) {
-  const GradedArray grown = x.exp(), q = x.square();
-  const GradedArray small = x * (1 + q / 6 * (1 + q / 20 * (1 + q / 42 * (1 + q / 72))));
-  return (x < 0.1).select(small, (grown - 1 / grown) / 2);
-}
-
-[[gnu::always_inline]] inline void crowd(const SlipPoint& from, GradedArray& ahead,
-                                         GradedArray& etas, GradedArray& rests,
-                                         GradedArray& weights) {
+[[gnu::always_inline]] inline void crowd(const SlipPoint& from, Pack4& step, Pack4& eta,
+                                         Pack4& rest, Pack4& weight) {
   const double beta = from.beta;
-  const GradedArray a = sinh_of(beta * etas), b = sinh_of(beta * rests), sums = a + b;
-  ahead = from.end / from.sum * sinh_of(beta * ahead) / sums;
-  weights *= beta * from.end / sums.square();
-  etas = 2 * a / sums;
-  rests = 2 * b / sums;
-}
-
-/// The distances from the target in y, and the weights dy.
-struct Steps {
-  GradedArray y, dy;
-};
-
-[[gnu::always_inline]] inline Steps steps_of(double delta, double ell, const GaussLegendre& rule) {
-  const GradedArray power = ell * rule.cube, grown = power.exp();
-  GradedArray steps = delta * (grown - 1);
-  for (Index i = 0; i < steps.size() && power[i] < 0.1; ++i)
-    steps[i] = delta * std::expm1(power[i]);
-  return {steps, 1.5 * ell * delta * rule.w * rule.rho.square() * grown};
+  const Pack4 a = sinh_of(beta * eta), b = sinh_of(beta * rest), sum = a + b;
+  step = from.end / from.sum * sinh_of(beta * step) / sum;
+  weight *= beta * from.end / (sum * sum);
+  eta = 2 * a / sum;
+  rest = 2 * b / sum;
 }
 
 THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, double left,
@@ -48,32 +28,21 @@ THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, doub
   const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27) / end_growth;
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
   const double ell = std::log1p(right / delta);
-  const auto [steps, dys] = steps_of(delta, ell, rule);
-  GradedArray ahead = steps, etas = left + steps, rests = right - steps, dpsis = dys;
-  graded.y = from.y + steps;
-  if (beta > 0) crowd(from, ahead, etas, rests, dpsis);
-  const GradedArray us = slip_cubic(etas), vs = slip_cubic(rests);
-  for (GradedArray* x : {&graded.zeta, &graded.heat, &graded.by_h, &graded.by_dh})
-    x->resize(steps.size());
-  Pack4 step, eta, rest, dy, dpsi, u, v;
-  for (Index k = 0; k < steps.size(); k += 4) {
-    load(&ahead[k], step);
-    load(&etas[k], eta);
-    load(&rests[k], rest);
-    load(&dys[k], dy);
-    load(&dpsis[k], dpsi);
-    load(&us[k], u);
-    load(&vs[k], v);
-    const Pack4 psi = from.psi + step, du = (3 + 12 * eta * rest) / 22;
-    const Pack4 slope = (15 - 4 * (from.psi * (from.psi + psi) + psi * psi)) / 22;
-    const auto near_left = u + from.u < 1;
-    const Pack4 x = near_left ? u + from.u : v + from.v;
-    const Pack4 product = near_left ? u * from.u : v * from.v;
-    const Pack4 apart = step * slope * (3 * x - 2 * (x * x - product));
-    store(peclet * (apart + gap), &graded.zeta[k]);
+  for (GradedArray* x : {&graded.y, &graded.zeta, &graded.heat, &graded.by_h, &graded.by_dh})
+    x->resize(rule.x.size());
+  Pack4 cube, dcube;
+  for (Index k = 0; k < rule.x.size(); k += 4) {
+    load(&rule.cube[k], cube);
+    load(&rule.dcube[k], dcube);
+    const Pack4 grown = exp_less_one(ell * cube), dy = ell * delta * dcube * (1 + grown);
+    Pack4 step = delta * grown, eta = left + step, rest = right - step, dpsi = dy;
+    store(from.y + step, &graded.y[k]);
+    if (beta > 0) crowd(from, step, eta, rest, dpsi);
+    const Pack4 u = slip_cubic(eta), v = slip_cubic(rest);
+    store(peclet * (t_beyond(from, step, u, v) + gap), &graded.zeta[k]);
     Pack4 omega = (1 + 2 * u) * (1 + 2 * v);
     for (int i = 0; i < 4; ++i) omega[i] = std::sqrt(omega[i]);
-    const Pack4 uv = u * v, root = uv * omega;
+    const Pack4 uv = u * v, root = uv * omega, du = (3 + 12 * eta * rest) * (1 / 22.0);
     const Pack4 middle = v * v * (1 + 2 * u) - u * u * (1 + 2 * v);  // 1 - 2t
     store(root * dy, &graded.by_dh[k]);
     store(6 * uv * du * (root * dpsi), &graded.heat[k]);
@@ -83,11 +52,11 @@ THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, doub
 
 void kernel_weights(const Conduction& c, const GradedRule& graded, Index columns,
                     KernelWeights& weights) {
-  const std::vector<Kernels> kernels = at_distances(c, graded.zeta);
+  const GradedKernels kernels = at_distances(c, graded.zeta);
   weights.resize(graded.y.size(), columns);
   GradedArray behind(graded.y.size());
   for (Index i = 0; i < graded.y.size(); ++i) {
-    const Kernels& k = kernels[static_cast<std::size_t>(i)];
+    const Kernels& k = kernels[i];
     weights.row(i).head<node_weights>() << k.n1 * graded.heat(i), k.n1 * graded.by_h(i),
         k.n1 * graded.by_dh(i), k.n2_up * graded.heat(i), k.n2_down * graded.heat(i);
     behind[i] = k.m_down;
@@ -147,7 +116,7 @@ MatrixXd by_derivatives(const MatrixXd& sums) {
 
 THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
   GradedArray sums(y.size());
-  VectorXd down(c.size());
+  GradedArray down(c.size());
   for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
   for (Index k = 0; k < y.size(); k += 8) {
     Pack4 x, z;

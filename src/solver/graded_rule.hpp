@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -11,9 +10,6 @@
 
 namespace thermoroll {
 
-template <int columns>
-using GradedArrays = Eigen::Array<double, Eigen::Dynamic, columns, 0, most_unknowns + 24, columns>;
-using GradedArray = GradedArrays<1>;
 inline constexpr int node_weights = 5;  // kernels times heat or its derivative, at each node
 inline constexpr int hot_weights = 7;   // with those of the temperature, or crossing heat alone
 inline constexpr int most_weights = 9;  // of crossing heat, with those of the mirror image

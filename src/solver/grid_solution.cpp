@@ -32,7 +32,7 @@ ArrayXd crossing_on_stick(const ContactGrid& grid, const VectorXd& h) {
 }
 
 double place_on_stick_zone(const ContactGrid& grid, double y) {
-  const VectorXd distance = to_legendre(grid.rules.stick) * grid.nodes.d.matrix();
+  const VectorXd distance = to_legendre(grid.rules.stick, grid.nodes.d.matrix());
   const auto polynomials = legendre(ArrayXd::Constant(1, y), distance.size());
   return grid.nodes.zones.c0() - polynomials.row(0).dot(distance);
 }
@@ -43,7 +43,7 @@ void compare_with_stick_zone(Results& value, const ContactGrid& grid, const Vect
   const double at_border = conducted_upstream(grid, h, ArrayXd::Zero(1))(0);
   if (1.1 * (at_border + crossing.maxCoeff()) < value(max_temperature) + lowest) return;
   const ArrayXd all = conducted_upstream(grid, h, grid.nodes.d) + crossing;
-  const HottestPoint top = largest_of_series(to_legendre(grid.rules.stick) * all.matrix());
+  const HottestPoint top = largest_of_series(to_legendre(grid.rules.stick, all.matrix()));
   const double hottest = top.value - lowest;
   if (hottest <= value(max_temperature)) return;
   value(max_temperature) = hottest;
@@ -72,7 +72,7 @@ VectorXd temperature_by_exchange(const ContactGrid& grid, const VectorXd& h) {
   VectorXd values = VectorXd::Zero(n);
   if (grid.crossing) values = grid.crossing->temperature.topLeftCorner(n, h.size()) * h;
   if (grid.bulk) values += grid.thermal.bulk.temperature.head(n);
-  VectorXd series = to_legendre(grid.rules.slip) * values;
+  VectorXd series = to_legendre(grid.rules.slip, values);
   series(0) += std::abs(grid.scene.bulk_difference);
   return series / heat_share(grid.scene);
 }

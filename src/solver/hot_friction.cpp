@@ -23,19 +23,9 @@ ArrayXd measure(const Nodes& z, const GaussLegendre& rule) {
 }
 
 MatrixXd lost_friction_matrix(const Nodes& z, const ArrayXd& weight) {
-  const Index n = z.y.size();
-  MatrixXd s(n, n);
-  std::vector<SlipPoint> at;
-  for (const double y : z.y) at.emplace_back(1 + y, 1 - y);
-  for (Index j = 0; j < n; ++j) {
-    const SlipPoint& to = at[static_cast<std::size_t>(j)];
-    for (Index i = 0; i < n; ++i)
-      s(i, j) = weight(j) / t_difference(at[static_cast<std::size_t>(i)], to, to.y - z.y(i));
-    s(j, j) = 0;
-  }
+  MatrixXd s = over_distances(z, -weight / pi);
   s.diagonal() = -s.rowwise().sum();
-  s /= pi * z.zones.slip;
-  s.diagonal().array() -= z.zones.stick == 0 ? z.s : ArrayXd::Ones(n);
+  s.diagonal().array() -= z.zones.stick == 0 ? z.s : ArrayXd::Ones(z.s.size());
   return s;
 }
 

@@ -32,7 +32,7 @@ struct FastLimit {
       value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
       curvature(i) = top.curvature;
     }
-    for (VectorXd* series : {&y, &value, &curvature}) *series = to_legendre(rule) * *series;
+    for (VectorXd* series : {&y, &value, &curvature}) *series = to_legendre(rule, *series);
   }
   VectorXd y, value, curvature;
 };
@@ -138,7 +138,7 @@ Results error_of_closed_form(const Correction& x) {
 
 double temperature_at(const HottestPoint& top, const Scene& scene, const Correction& x,
                       const GaussLegendre& rule) {
-  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
+  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size())), x.h);
   const ZoneLengths at = zones_of(x.carter);
   return temperature_and_slope(at, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rule).value;
 }
@@ -204,7 +204,7 @@ CoupledSolution first_order(const Scene& scene, const Approach& approach, const 
   const VectorXd h0 = carter_h(zones_of(cold), scene.friction);
   const Formulation formulation = approach.formulation;
   const Correction x = correct(scene, formulation, given, cold, h0, 16);
-  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size()))) * x.h;
+  const VectorXd h = to_legendre(gauss_legendre(static_cast<int>(x.h.size())), x.h);
   const ZoneLengths at = zones_of(x.carter);
   const HottestPoint near = fast_limit(at, scene.friction, scene.peclet);
   const GaussLegendre& rule = graded_nodes(approach.tolerance, at.slip * scene.peclet);

@@ -2,13 +2,16 @@
 #include "solver/nodes.hpp"
 
 #include <cmath>
+#include <vector>
 
+#include "support/simd.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 VectorXd carter_h(const ZoneLengths& at, double friction) {
@@ -16,7 +19,7 @@ VectorXd carter_h(const ZoneLengths& at, double friction) {
   VectorXd h(10);
   for (Index i = 0; i < 10; ++i)
     h(i) = at.stick + at.slip * SlipPoint(1 + rule.x(i), 1 - rule.x(i)).t();
-  return 4 * friction / (pi * pi) * (to_legendre(rule) * h);
+  return 4 * friction / (pi * pi) * to_legendre(rule, h);
 }
 
 Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick,
@@ -44,6 +47,53 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
   z.over_root.tail(m).array() *= (zones.stick / (zones.slip + z.d)).sqrt();
   if (zones.stick == 0) z.sigma.setOnes();
   return z;
+}
+
+/// Up to a multiple of four the numbers are zero, and the sums one.
+struct Fours {
+  GradedArray y, u, v, sum;
+};
+
+Fours in_fours(const std::vector<SlipPoint>& points) {
+  const auto n = static_cast<Index>(points.size());
+  const GradedArray zero = GradedArray::Zero((n + 3) / 4 * 4);
+  Fours all{zero, zero, zero, zero + 1};
+  for (Index i = 0; i < n; ++i) {
+    const SlipPoint& x = points[static_cast<std::size_t>(i)];
+    all.y[i] = x.y;
+    all.u[i] = x.u;
+    all.v[i] = x.v;
+    all.sum[i] = x.sum;
+  }
+  return all;
+}
+
+THERMOROLL_CLONES void t_from(const SlipPoint& from, const Fours& to, GradedArray& apart) {
+  Pack4 step, u, v, sum;
+  for (Index k = 0; k < to.y.size(); k += 4) {
+    load(&to.y[k], step);
+    load(&to.u[k], u);
+    load(&to.v[k], v);
+    load(&to.sum[k], sum);
+    step -= from.y;
+    if (from.beta > 0) step = from.end / from.sum * sinh_of(from.beta * step) / sum;
+    store(t_beyond(from, step, u, v), &apart[k]);
+  }
+}
+
+MatrixXd over_distances(const Nodes& z, const ArrayXd& weight) {
+  const Index n = z.y.size();
+  std::vector<SlipPoint> points;
+  for (const double y : z.y) points.emplace_back(1 + y, 1 - y, z.zones.beta);
+  const Fours all = in_fours(points);
+  GradedArray apart(all.y.size());
+  MatrixXd quotients(n, n);
+  for (Index j = 0; j < n; ++j) {
+    t_from(points[static_cast<std::size_t>(j)], all, apart);
+    quotients.col(j) = weight(j) / z.zones.slip / apart.head(n);
+    quotients(j, j) = 0;
+  }
+  return quotients;
 }
 
 double distance_of_share(double t, double beta) {

@@ -68,8 +68,8 @@ struct GridRules {
 
 /// u at the distance eta from psi = -1, or v at that distance from psi = 1; in [0, 1].
 template <class Distance>
-auto slip_cubic(const Distance& eta) {
-  return eta * (3 + (12 - 4 * eta) * eta) / 22;
+[[gnu::always_inline]] inline auto slip_cubic(const Distance& eta) {
+  return eta * (3 + (12 - 4 * eta) * eta) * (1 / 22.0);
 }
 
 /// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
@@ -87,20 +87,28 @@ struct SlipPoint {
     psi = (left - right) / 2;
     u = slip_cubic(left);
     v = slip_cubic(right);
-    du = (3 + 12 * left * right) / 22 * growth;
+    du = (3 + 12 * left * right) * (1 / 22.0) * growth;
   }
   double beta, y, psi, u, v, du, sum = 0, end = 0, growth = 1;  // du: the derivative of u by y
   double t() const { return u * u * (1 + 2 * v); }
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
 
-/// t(b) - t(a) for points whose y differ by the step, without subtracting nearly equal numbers.
+/// t - from.t() at a step in psi, by u and v there, without subtracting nearly equal numbers.
+template <class Number>
+[[gnu::always_inline]] inline Number t_beyond(const SlipPoint& from, const Number& step,
+                                              const Number& u, const Number& v) {
+  const Number psi = from.psi + step;
+  const Number slope = (15 - 4 * (from.psi * (from.psi + psi) + psi * psi)) * (1 / 22.0);
+  const auto left = u + from.u < 1;
+  const Number x = left ? u + from.u : v + from.v, product = left ? u * from.u : v * from.v;
+  return step * slope * (3 * x - 2 * (x * x - product));
+}
+
+/// t(b) - t(a) for points whose y differ by the step.
 inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
   if (a.beta > 0) step = a.end * std::sinh(a.beta * step) / (a.sum * b.sum);
-  const double du = step * (15 - 4 * (a.psi * a.psi + a.psi * b.psi + b.psi * b.psi)) / 22;
-  const bool left = a.u + b.u < 1;
-  const double x = left ? a.u : a.v, z = left ? b.u : b.v;
-  return du * (3 * (x + z) - 2 * (x * x + x * z + z * z));
+  return t_beyond(a, step, b.u, b.v);
 }
 
 /// The distance 1 + y at which t is the given share, in [0, 1/2].
@@ -122,5 +130,8 @@ Eigen::VectorXd carter_h(const ZoneLengths& at, double friction);
 /// The nodes of both zones of these lengths.
 Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const GaussLegendre& stick,
                   double layer = 2);
+
+/// weight(j) / (s(i) - s(j)) for each pair of slip nodes, in row i and column j; zero if i = j.
+Eigen::MatrixXd over_distances(const Nodes& z, const Eigen::ArrayXd& weight);
 
 }  // namespace thermoroll

@@ -10,40 +10,41 @@ using Eigen::Index;
 using Given = Eigen::Ref<const Eigen::MatrixXd>;
 using Changed = Eigen::Ref<Eigen::MatrixXd>;
 
-template <int packs, int columns>
+template <class Pack, int packs, int columns>
 [[gnu::always_inline]] inline void add_block(double sign, const Given& a, const Given& b, Index i,
                                              Index j, Changed& c) {
-  Pack4 sum[packs][columns] = {}, four;
+  constexpr int size = sizeof(Pack) / sizeof(double);
+  Pack sum[packs][columns] = {}, pack;
   for (Index k = 0; k < a.cols(); ++k)
     for (int r = 0; r < packs; ++r) {
-      load(a.data() + i + 4 * r + k * a.outerStride(), four);
-      for (int l = 0; l < columns; ++l) sum[r][l] += four * b(k, j + l);
+      load(a.data() + i + size * r + k * a.outerStride(), pack);
+      for (int l = 0; l < columns; ++l) sum[r][l] += pack * b(k, j + l);
     }
   for (int r = 0; r < packs; ++r)
     for (int l = 0; l < columns; ++l) {
-      load(&c(i + 4 * r, j + l), four);
-      store(four + sign * sum[r][l], &c(i + 4 * r, j + l));
+      load(&c(i + size * r, j + l), pack);
+      store(pack + sign * sum[r][l], &c(i + size * r, j + l));
     }
 }
 
-template <int packs>
-[[gnu::always_inline]] inline void add_rows(double sign, const Given& a, const Given& b, Index i,
+template <class Pack, int packs>
+[[gnu::always_inline]] inline void add_rows(double sign, const Given& a, const Given& b, Index& i,
                                             Changed& c) {
-  Index j = 0;
-  for (; j + 4 <= b.cols(); j += 4) add_block<packs, 4>(sign, a, b, i, j, c);
-  for (; j < b.cols(); ++j) add_block<packs, 1>(sign, a, b, i, j, c);
+  constexpr int rows = packs * sizeof(Pack) / sizeof(double);
+  for (; i + rows <= a.rows(); i += rows) {
+    Index j = 0;
+    for (; j + 4 <= b.cols(); j += 4) add_block<Pack, packs, 4>(sign, a, b, i, j, c);
+    for (; j < b.cols(); ++j) add_block<Pack, packs, 1>(sign, a, b, i, j, c);
+  }
 }
 
-THERMOROLL_CLONES void add_fours(double sign, const Given& a, const Given& b, Changed c) {
+THERMOROLL_CLONES void add_product(double sign, const Given& a, const Given& b, Changed c) {
+  using Pack2 [[gnu::vector_size(16)]] = double;
   Index i = 0;
-  for (; i + 8 <= a.rows(); i += 8) add_rows<2>(sign, a, b, i, c);
-  if (i < a.rows()) add_rows<1>(sign, a, b, i, c);
-}
-
-void add_product(double sign, const Given& a, const Given& b, Changed c) {
-  const Index left = a.rows() % 4, fours = a.rows() - left;
-  add_fours(sign, a.topRows(fours), b, c.topRows(fours));
-  if (left > 0) c.bottomRows(left).noalias() += sign * a.bottomRows(left) * b;
+  add_rows<Pack4, 2>(sign, a, b, i, c);
+  add_rows<Pack4, 1>(sign, a, b, i, c);
+  add_rows<Pack2, 1>(sign, a, b, i, c);
+  add_rows<double, 1>(sign, a, b, i, c);
 }
 
 }  // namespace thermoroll

@@ -21,9 +21,9 @@ constexpr double underflow_distance = 350;  // exp(-2 zeta) is 1e-304 here
 /// M(side zeta), zeta > 0.
 GradedArray temperature_kernel(const Conduction& c, double side, const GradedArray& zeta) {
   if (c.pair) return pair_temperatures(c, side, zeta);
-  const std::vector<Kernels> k = at_distances(c, zeta);
+  const GradedKernels k = at_distances(c, zeta);
   GradedArray m(zeta.size());
-  for (Index i = 0; i < m.size(); ++i) m[i] = k[static_cast<std::size_t>(i)].m_down;
+  for (Index i = 0; i < m.size(); ++i) m[i] = k[i].m_down;
   if (side < 0) return m;
   return m * (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
 }
@@ -101,7 +101,7 @@ SurfaceCurve at_many_places(const std::function<double(double)>& f, const ArrayX
                             double tolerance) {
   for (; n <= 3 * x.size() / 4 && n <= most_unknowns; n *= 2) {
     const GaussLegendre& rule = gauss_legendre(n);
-    const VectorXd c = to_legendre(rule) * rule.x.unaryExpr(f).matrix();
+    const VectorXd c = to_legendre(rule, rule.x.unaryExpr(f).matrix());
     const double error = 2 * c.tail(n / 8).lpNorm<1>();
     if (error <= tolerance) return {legendre(x, n) * c, error};
   }

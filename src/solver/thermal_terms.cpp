@@ -27,14 +27,13 @@ FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, con
   FurtherKernels k{MatrixXd(rows, columns), MatrixXd(rows, columns), {}};
   if (temperature) k.m.resize(rows, columns);
   for (Index j = 0; j < rows; ++j) {
-    const ArrayXd at = zeta + further(j);
-    const std::vector<Kernels> all = at_distances(c, at);
-    ArrayXd behind(columns);
+    const GradedArray at = zeta + further(j);
+    const GradedKernels all = at_distances(c, at);
+    GradedArray behind(columns);
     for (Index i = 0; i < columns; ++i) {
-      const Kernels& here = all[static_cast<std::size_t>(i)];
-      k.n1(j, i) = here.n1;
-      k.n2(j, i) = here.n2_up;
-      behind(i) = here.m_down;
+      k.n1(j, i) = all[i].n1;
+      k.n2(j, i) = all[i].n2_up;
+      behind(i) = all[i].m_down;
     }
     if (temperature) k.m.row(j) = temperatures_ahead(c, at, behind).matrix().transpose();
   }

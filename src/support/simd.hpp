@@ -1,19 +1,53 @@
 // Tangled from paper/E-fast-kernels.md; edit there.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 
 namespace thermoroll {
 
 /// Four numbers at a time: one register of a processor with AVX2, two of any other of its kind.
 using Pack4 [[gnu::vector_size(32)]] = double;
 
-/// Take the four numbers from there on, or put them there.
-inline void load(const double* from, Pack4& x) { std::memcpy(&x, from, sizeof x); }
-inline void store(const Pack4& x, double* to) { std::memcpy(to, &x, sizeof x); }
+/// Take the numbers of a pack from there on, or put them there.
+template <class Pack>
+inline void load(const double* from, Pack& x) {
+  std::memcpy(&x, from, sizeof x);
+}
+template <class Pack>
+inline void store(const Pack& x, double* to) {
+  std::memcpy(to, &x, sizeof x);
+}
 
 /// Their sum.
 inline double sum_of(const Pack4& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+
+/// 1/13!, 1/12! ... 1/2!
+inline constexpr double inverse_factorials[] = {
+    1 / 6227020800.0, 1 / 479001600.0, 1 / 39916800.0, 1 / 3628800.0, 1 / 362880.0, 1 / 40320.0,
+    1 / 5040.0,       1 / 720.0,       1 / 120.0,      1 / 24.0,      1 / 6.0,      1 / 2.0};
+
+/// exp(x) - 1 for |x| < 700, with an error of at most three roundings.
+[[gnu::always_inline]] inline Pack4 exp_less_one(const Pack4& x) {
+  using Bits [[gnu::vector_size(32)]] = std::int64_t;
+  constexpr double whole = 0x1.8p52 + 1023;
+  const Pack4 shifted = x * 0x1.71547652b82fep0 + whole, k = shifted - whole;
+  const Pack4 r = x - k * 0x1.62e42feep-1 - k * 0x1.a39ef35793c76p-33, square = r * r;
+  Pack4 even = {}, odd = {};
+  for (const double* c = inverse_factorials; c < std::end(inverse_factorials); c += 2) {
+    even = even * square + c[1];
+    odd = odd * square + c[0];
+  }
+  const auto power = reinterpret_cast<Pack4>(reinterpret_cast<Bits>(shifted) << 52);
+  return (power - 1) + power * (r + square * (even + r * odd));
+}
+
+/// sinh(x) for |x| < 700, from it, with an error of at most five.
+[[gnu::always_inline]] inline Pack4 sinh_of(const Pack4& x) {
+  const Pack4 grown = exp_less_one(x < 0 ? -x : x), half = (grown + grown / (1 + grown)) / 2;
+  return x < 0 ? -half : half;
+}
 
 }  // namespace thermoroll
 

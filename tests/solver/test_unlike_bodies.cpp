@@ -110,14 +110,14 @@ TEST(UnlikeBodies, RemaindersAreTheirIntegrals) {
 TEST(UnlikeBodies, BothBodiesAreEquallyHot) {
   for (const Scene& x : pairs()) {
     const Conduction one(x), other(exchanged(x));
-    const Eigen::ArrayXd zeta = Eigen::pow(10.0, Eigen::ArrayXd::LinSpaced(40, -6, 1.5));
+    const thermoroll::GradedArray zeta = Eigen::pow(10.0, Eigen::ArrayXd::LinSpaced(40, -6, 1.5));
     const auto a = at_distances(one, zeta), b = at_distances(other, zeta);
-    Eigen::ArrayXd behind(zeta.size());
-    for (std::size_t i = 0; i < a.size(); ++i) behind(static_cast<Eigen::Index>(i)) = a[i].m_down;
+    thermoroll::GradedArray behind(zeta.size());
+    for (Eigen::Index i = 0; i < a.size(); ++i) behind[i] = a[i].m_down;
     const Eigen::ArrayXd up = temperatures_ahead(one, zeta, behind) / behind;
     const Eigen::ArrayXd same = temperatures_ahead(other, zeta, behind) / behind;
     EXPECT_LT((up - same).abs().maxCoeff(), 1e-11);
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (Eigen::Index i = 0; i < a.size(); ++i) {
       EXPECT_NEAR(a[i].m_down, b[i].m_down, 1e-11 * a[i].m_down);
       EXPECT_NEAR(a[i].n1, b[i].n1, 1e-11);
       EXPECT_NEAR(a[i].n2_up, -b[i].n2_up, 1e-11 * (1 + std::abs(a[i].n2_up)));
