@@ -164,9 +164,8 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   MatrixXd in_p(n, n + m), in_v(n, m);
   in_p.leftCols(n) = over_distances(z, -z.over_root.head(n));
   for (Index j = 0; j < m; ++j) {
-    const ArrayXd away = z.zones.slip * z.t + z.d(j);  // s - r
-    in_p.col(n + j) = -z.over_root(n + j) / away;
-    in_v.col(j) = z.over_w(j) / away;
+    in_v.col(j) = z.over_w(j) / (z.zones.slip * z.t + z.d(j));  // s - r
+    in_p.col(n + j) = -z.over_root(n + j) / z.over_w(j) * in_v.col(j);
   }
   const VectorXd all_p = in_p.rowwise().sum(), less_v = -in_v.rowwise().sum();
   tractions.p =
@@ -174,8 +173,8 @@ TractionOperators traction_operators(const Nodes& z, const ThermalTerms& thermal
   tractions.v = less_v.asDiagonal() * thermal.g.topRows(n);
   add_product(-1, in_p, thermal.f, tractions.p);
   add_product(1, in_v, thermal.g.bottomRows(m), tractions.v);
-  tractions.p = (tractions.p.rowwise() + 2 * tractions.kappa) / pi;
-  tractions.v = (tractions.v.rowwise() + 2 * friction * tractions.kappa) / pi;
+  tractions.p = (tractions.p.rowwise() + 2 * tractions.kappa) * (1 / pi);
+  tractions.v = (tractions.v.rowwise() + 2 * friction * tractions.kappa) * (1 / pi);
   if (thermal.bulk.g.size() > 0) {
     const BulkTerms& bulk = thermal.bulk;
     tractions.p0 += bulk.pressure.head(n).array() + 2 * bulk.kappa / pi;

@@ -254,7 +254,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
 }
 
 GridSolution at_predicted_border(const Scene& scene, Formulation formulation, int n,
-                                 const Prescribed& given, GridSolution level, Results& slope) {
+                                 const Prescribed& given, GridSolution level, bool is_coarse,
+                                 Results& slope) {
   for (int k = 0; k < 5; ++k) {
     const GridSolution last = level;
     const double step = within_contact(slope(stick_slip_border) * residual(last, given), last.at);
@@ -262,8 +263,12 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
     if (level.newton_steps == 0) break;
     const double moved = level.value(given.quantity) - last.value(given.quantity);
     if (k > 0 && moved != 0) slope = (level.value - last.value) / moved;
-    const Results left = slope * residual(level, given) / scale_in(scene, level.value);
-    if (left.head(compared).abs().maxCoeff() < (n > 64 ? 1e-4 : 0.01)) break;
+    const double missing = residual(level, given);
+    const Results left = slope * missing / scale_in(scene, level.value);
+    const double most = left.head(compared).abs().maxCoeff();
+    const double part = missing / residual(last, given);  // that the move has left
+    const bool moves = (k == 0 && is_coarse) || !(0.5 < part && part < 2) || most < 1e-9;
+    if (most < (n > 64 ? 1e-4 : 0.01) && moves) break;
   }
   return level;
 }
@@ -411,7 +416,8 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
                          (level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given));
   if (all_slips) return solve_full_slip(scene, approach, given.value);
   return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
-    return at_predicted_border(scene, formulation, n, given, last, slope);
+    const bool is_coarse = last.h.size() == level.h.size();
+    return at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
   });
 }
 

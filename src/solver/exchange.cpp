@@ -11,6 +11,7 @@
 
 #include "solver/contact_grid.hpp"
 #include "solver/graded_rule.hpp"
+#include "support/simd.hpp"
 
 namespace thermoroll {
 
@@ -52,10 +53,14 @@ ZoneMap stick_map(const ZoneLengths& at) {
   return {at.stick, std::min(1.0, std::sqrt(at.slip / at.stick)), false};
 }
 
-GradedArray exp_less_one(const GradedArray& exponent) {
-  GradedArray grown = exponent.exp() - 1;
-  for (Index i = 0; i < grown.size(); ++i)
-    if (std::abs(exponent[i]) < 0.1) grown[i] = std::expm1(exponent[i]);
+THERMOROLL_CLONES GradedArray exponentials_less_one(const GradedArray& exponent) {
+  GradedArray grown(exponent.size());
+  Index i = 0;
+  for (Pack4 x; i + 4 <= grown.size(); i += 4) {
+    load(&exponent[i], x);
+    store(exp_less_one(x), &grown[i]);
+  }
+  for (; i < grown.size(); ++i) grown[i] = std::expm1(exponent[i]);
   return grown;
 }
 
@@ -67,8 +72,8 @@ struct ZonePoints {
 ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
   if (zone.slips()) return {slip_cubic(left), slip_cubic(right), (3 + 12 * left * right) / 22};
   const double half = zone.growth() / 2;
-  const GradedArray u = zone.fine * exp_less_one(half * left);
-  return {u, -(1 + zone.fine) * exp_less_one(-half * right), half * (u + zone.fine)};
+  const GradedArray u = zone.fine * exponentials_less_one(half * left);
+  return {u, -(1 + zone.fine) * exponentials_less_one(-half * right), half * (u + zone.fine)};
 }
 
 /// dt / sqrt(1 - t), or with both edges dt / sqrt(t (1 - t)), over du.
@@ -107,13 +112,14 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const double at_end = std::sqrt((1 / speed + from.gap / zone.length) / 3) / du;
   const double delta = 6 * std::min(at_end, 1 / (speed * 6 * u * v * du));
   const double k = std::log1p((side > 0 ? from.right : from.left) / delta);
-  const GradedArray step = delta * exp_less_one(k * rule.cube);
+  const GradedArray step = delta * exponentials_less_one(k * rule.cube);
   const GradedArray dx = k * rule.dcube * (step + delta);
   const double middle = (from.left - from.right) / 2;
   ZoneRule graded{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
   const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
   GradedArray far = step * (15 - 4 * (middle * (middle + graded.x) + graded.x.square())) / 22;
-  if (!zone.slips()) far = side * (u + zone.fine) * exp_less_one(side * zone.growth() / 2 * step);
+  if (!zone.slips())
+    far = side * (u + zone.fine) * exponentials_less_one(side * zone.growth() / 2 * step);
   const auto near_border = to.u + u < 1;
   const GradedArray sum = near_border.select(to.u + u, to.v + v);
   const GradedArray product = near_border.select(to.u * u, to.v * v);

@@ -114,30 +114,44 @@ MatrixXd by_derivatives(const MatrixXd& sums) {
   return derivatives;
 }
 
-THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
-  GradedArray sums(y.size());
-  GradedArray down(c.size());
-  for (Index l = 0; l < c.size(); ++l) down(l) = 1 - 1 / static_cast<double>(l + 2);
-  for (Index k = 0; k < y.size(); k += 8) {
-    Pack4 x, z;
-    load(&y[k], x);
-    load(&y[k + 4], z);
-    x *= side;
-    z *= side;
-    Pack4 a = {}, p = a + 1, q = x, b = {}, u = p, v = z;
-    for (Index l = 0; l < c.size(); ++l) {
-      a += c(l) * p;
-      b += c(l) * u;
-      const Pack4 then = (1 + down(l)) * x * q - down(l) * p;
-      const Pack4 next = (1 + down(l)) * z * v - down(l) * u;
-      p = q;
-      q = then;
-      u = v;
-      v = next;
+/// The leading coefficients k_l, and the factors l^2 / (4 l^2 - 1).
+struct Monic {
+  Monic()
+      : leading(GradedArray::Ones(most_unknowns + 1)),
+        factor(GradedArray::Zero(most_unknowns + 1)) {
+    for (Index l = 1; l <= most_unknowns; ++l) {
+      const auto order = static_cast<double>(l);
+      leading[l] = leading[l - 1] * (2 - 1 / order);
+      factor[l] = order * order / (4 * order * order - 1);
     }
-    store(a, &sums[k]);
-    store(b, &sums[k + 4]);
   }
+  GradedArray leading, factor;
+};
+
+template <int packs>
+[[gnu::always_inline]] inline void sum_series(double side, const double* y, const GradedArray& c,
+                                              const GradedArray& factor, double* sums) {
+  Pack4 x[packs], now[packs] = {}, after[packs] = {};
+  for (int i = 0; i < packs; ++i) {
+    load(y + 4 * i, x[i]);
+    x[i] *= side;
+  }
+  for (Index l = c.size(); l-- > 0;)
+    for (int i = 0; i < packs; ++i) {
+      const Pack4 next = (c[l] - factor[l + 1] * after[i]) + x[i] * now[i];
+      after[i] = now[i];
+      now[i] = next;
+    }
+  for (int i = 0; i < packs; ++i) store(now[i], sums + 4 * i);
+}
+
+THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
+  static const Monic monic;
+  const GradedArray scaled = c.array() * monic.leading.head(c.size());
+  GradedArray sums(y.size());
+  Index k = 0;
+  for (; k + 16 <= y.size(); k += 16) sum_series<4>(side, &y[k], scaled, monic.factor, &sums[k]);
+  if (k < y.size()) sum_series<2>(side, &y[k], scaled, monic.factor, &sums[k]);
   return sums;
 }
 

@@ -44,8 +44,9 @@ inline int graded_nodes(int n) { return n <= 12 ? 20 : std::max(28, (n + 7) / 4 
 
 /// Nodes of a graded rule for temperatures: the more the faster the slip zone, lambda, is.
 inline int temperature_nodes(int n, double lambda) {
+  const int own = n <= 12 ? 4 : std::max(n, 20);
   const int more = static_cast<int>(8 * decades_beyond(lambda));
-  return std::min(most_unknowns, std::max(n, 20) + more) + 24;
+  return std::min(most_unknowns, own + more) + 24;
 }
 
 /// The length of the layer beside the border that the stick nodes resolve; 2, the whole contact, on

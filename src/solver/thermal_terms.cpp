@@ -26,16 +26,16 @@ FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, con
   const Index rows = further.size(), columns = zeta.size();
   FurtherKernels k{MatrixXd(rows, columns), MatrixXd(rows, columns), {}};
   if (temperature) k.m.resize(rows, columns);
-  for (Index j = 0; j < rows; ++j) {
-    const GradedArray at = zeta + further(j);
+  for (Index j = 0; j < columns; ++j) {
+    const GradedArray at = zeta[j] + further;
     const GradedKernels all = at_distances(c, at);
-    GradedArray behind(columns);
-    for (Index i = 0; i < columns; ++i) {
-      k.n1(j, i) = all[i].n1;
-      k.n2(j, i) = all[i].n2_up;
-      behind(i) = all[i].m_down;
+    GradedArray behind(rows);
+    for (Index i = 0; i < rows; ++i) {
+      k.n1(i, j) = all[i].n1;
+      k.n2(i, j) = all[i].n2_up;
+      behind[i] = all[i].m_down;
     }
-    if (temperature) k.m.row(j) = temperatures_ahead(c, at, behind).matrix().transpose();
+    if (temperature) k.m.col(j) = temperatures_ahead(c, at, behind).matrix();
   }
   return k;
 }
@@ -62,7 +62,7 @@ void apply_factors(ThermalTerms& thermal, const Scene& scene, Formulation formul
   const double sign = slope_sign(formulation), in_n = -sign * scene.friction;  // @eq:N
   const double strain = is_pair ? sign_of(scene.direction) : strain_share(scene);
   const double strength = scene.friction * scene.peclet * heating_of_both(scene) * slip;
-  thermal.g = strength * slip * (strain * thermal.g / pi + in_n * thermal.f);
+  thermal.g = strength * slip * (strain / pi * thermal.g + in_n * thermal.f);
   thermal.f *= -sign * strength * slip;
   thermal.df *= -sign * strength;
   thermal.temperature *= heat_share(scene) * slip * slip / pi;

@@ -1213,7 +1213,7 @@ TEST(Coupled, ARippleOfCoarseGridsIsNoViolation) {
 
 // Ripples that even the finest grids have, in other places each, are no verdict either way.
 TEST(Coupled, AVerdictThatIsNotResolvedIsRefused) {
-  thermoroll::Scene scene{0.0567, 7.7e7, 80};
+  thermoroll::Scene scene{0.0566, 7.7e7, 80};
   scene.direction = thermoroll::Direction::braking;
   try {
     solve_coupled(scene, {Formulation::printed, 2e-3}, {Quantity::stick_slip_border, -0.5});
@@ -1222,6 +1222,28 @@ TEST(Coupled, AVerdictThatIsNotResolvedIsRefused) {
     EXPECT_STREQ(refusal.what(),
                  "coupled: whether it is a contact is not resolved with 480 unknowns");
   }
+}
+
+// Next to full slip the traction falls short of f by the square of the stick zone's length, times a
+// number that hardly changes, which two given borders tell. Coarse grids are far off here, and so
+// is the derivative that they leave; finer grids moved the border by a thirtieth of the way.
+TEST(Coupled, ABorderThatHardlyMovesIsSolvedOnceMore) {
+  thermoroll::Scene scene{1.4431827535551094, 1471499.7378722683, 1.2392202124897131};
+  scene.roller = {0.03502327719947117, 3.971340338531732, scene.peclet};
+  const auto lost = [&](double border) {
+    const thermoroll::Prescribed at{Quantity::stick_slip_border, border};
+    const CoupledSolution x = solve_coupled(scene, {Formulation::corrected, 1e-3}, at);
+    return (scene.friction - x.value(Quantity::traction)) / std::pow(1 + border, 2);
+  };
+  const double shorter = lost(-0.999935), longer = lost(-0.99993);
+  ASSERT_NEAR(shorter / longer, 1, 1e-4);
+  const double given = 1.44318274952;
+  const CoupledSolution x =
+      solve_coupled(scene, {Formulation::corrected, 1e-4}, {Quantity::traction, given});
+  const double sticks = std::sqrt((scene.friction - given) / longer);
+  const double unsure = sticks * std::abs(shorter / longer - 1);
+  EXPECT_NEAR(1 + x.value(Quantity::stick_slip_border), sticks,
+              x.error(Quantity::stick_slip_border) + unsure);
 }
 
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
