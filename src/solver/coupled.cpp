@@ -52,8 +52,8 @@ double shrinking(double now, double before, int n, bool slow, bool crowded) {
 }
 
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
-/// a twentieth of the largest of them; C and the creep both have the larger of theirs, the heat at
-/// least a tenth, and the temperature 1.
+/// a twentieth of the largest of them, or a tenth with a law; C and the creep both have the larger
+/// of theirs, the heat at least a tenth, and the temperature 1.
 Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& value) {
   const bool no_cold = scene.law && given.quantity == traction;
@@ -62,7 +62,7 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
   share(creep) = std::max(share(creep), share(creep_constant));
   share(creep_constant) = share(creep);
-  share += 0.05 * share.head(compared - 2).maxCoeff();
+  share += (scene.law ? 0.1 : 0.05) * share.head(compared - 2).maxCoeff();
   share(heat_integral) = std::max(share(heat_integral), 0.1);
   share(max_temperature) = 1;
   return share;
