@@ -414,11 +414,18 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
   const bool all_slips = level.newton_steps == 0 ||
                          (level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given));
-  if (all_slips) return solve_full_slip(scene, approach, given.value);
-  return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
-    const bool is_coarse = last.h.size() == level.h.size();
-    return at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
-  });
+  if (!all_slips) {
+    try {
+      return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
+        const bool is_coarse = last.h.size() == level.h.size();
+        return at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
+      });
+    } catch (const NotResolved& refusal) {
+      const double border = refusal.trace.back().border;
+      if (border > -0.999 || !slips_everywhere(scene, formulation, 160, given)) throw;
+    }
+  }
+  return solve_full_slip(scene, approach, given.value);
 }
 
 void add_eccentricity(Results& value, Results& error) {

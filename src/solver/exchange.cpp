@@ -56,9 +56,10 @@ ZoneMap stick_map(const ZoneLengths& at) {
 THERMOROLL_CLONES GradedArray exponentials_less_one(const GradedArray& exponent) {
   GradedArray grown(exponent.size());
   Index i = 0;
-  for (Pack4 x; i + 4 <= grown.size(); i += 4) {
+  for (Pack4 x, y; i + 4 <= grown.size(); i += 4) {
     load(&exponent[i], x);
-    store(exp_less_one(x), &grown[i]);
+    exp_less_one(x, y);
+    store(y, &grown[i]);
   }
   for (; i < grown.size(); ++i) grown[i] = std::expm1(exponent[i]);
   return grown;
@@ -70,7 +71,12 @@ struct ZonePoints {
 };
 
 ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
-  if (zone.slips()) return {slip_cubic(left), slip_cubic(right), (3 + 12 * left * right) / 22};
+  if (zone.slips()) {
+    ZonePoints at{{}, {}, (3 + 12 * left * right) / 22};
+    slip_cubic(left, at.u);
+    slip_cubic(right, at.v);
+    return at;
+  }
   const double half = zone.growth() / 2;
   const GradedArray u = zone.fine * exponentials_less_one(half * left);
   return {u, -(1 + zone.fine) * exponentials_less_one(-half * right), half * (u + zone.fine)};
@@ -316,7 +322,9 @@ Target seen_from(const ZoneMap& zone, double from_border) {
   if (t >= 1) return {2, 0, from_border - zone.length};
   const double share = std::min(t, 1 - t), near = distance_of_share(share);
   if (zone.slips()) return t < 0.5 ? Target{near, 2 - near, 0} : Target{2 - near, near, 0};
-  const double u = slip_cubic(near), scale = 2 / zone.growth();
+  double u = 0;
+  slip_cubic(near, u);
+  const double scale = 2 / zone.growth();
   const double left = scale * std::log1p(u / zone.fine);
   const double right = -scale * std::log1p(-u / (1 + zone.fine));
   return t < 0.5 ? Target{left, 2 - left, 0} : Target{2 - right, right, 0};

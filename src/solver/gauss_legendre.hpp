@@ -15,7 +15,7 @@ struct GaussLegendre {
   Eigen::MatrixXd p;
 };
 
-/// A number for each node of a graded rule, on the stack.
+/// A number for each node of a graded rule.
 using GradedArray = Eigen::Array<double, Eigen::Dynamic, 1, 0, most_unknowns + 24, 1>;
 
 /// The rule of n >= 0 nodes; made once per thread.

@@ -14,8 +14,12 @@ using Eigen::VectorXd;
 [[gnu::always_inline]] inline void crowd(const SlipPoint& from, Pack4& step, Pack4& eta,
                                          Pack4& rest, Pack4& weight) {
   const double beta = from.beta;
-  const Pack4 a = sinh_of(beta * eta), b = sinh_of(beta * rest), sum = a + b;
-  step = from.end / from.sum * sinh_of(beta * step) / sum;
+  Pack4 a, b, ahead;
+  sinh_of(beta * eta, a);
+  sinh_of(beta * rest, b);
+  sinh_of(beta * step, ahead);
+  const Pack4 sum = a + b;
+  step = from.end / from.sum * ahead / sum;
   weight *= beta * from.end / (sum * sum);
   eta = 2 * a / sum;
   rest = 2 * b / sum;
@@ -30,16 +34,19 @@ THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, doub
   const double ell = std::log1p(right / delta);
   for (GradedArray* x : {&graded.y, &graded.zeta, &graded.heat, &graded.by_h, &graded.by_dh})
     x->resize(rule.x.size());
-  Pack4 cube, dcube;
+  Pack4 cube, dcube, grown, u, v, apart;
   for (Index k = 0; k < rule.x.size(); k += 4) {
     load(&rule.cube[k], cube);
     load(&rule.dcube[k], dcube);
-    const Pack4 grown = exp_less_one(ell * cube), dy = ell * delta * dcube * (1 + grown);
+    exp_less_one(ell * cube, grown);
+    const Pack4 dy = ell * delta * dcube * (1 + grown);
     Pack4 step = delta * grown, eta = left + step, rest = right - step, dpsi = dy;
     store(from.y + step, &graded.y[k]);
     if (beta > 0) crowd(from, step, eta, rest, dpsi);
-    const Pack4 u = slip_cubic(eta), v = slip_cubic(rest);
-    store(peclet * (t_beyond(from, step, u, v) + gap), &graded.zeta[k]);
+    slip_cubic(eta, u);
+    slip_cubic(rest, v);
+    t_beyond(from, step, u, v, apart);
+    store(peclet * (apart + gap), &graded.zeta[k]);
     Pack4 omega = (1 + 2 * u) * (1 + 2 * v);
     for (int i = 0; i < 4; ++i) omega[i] = std::sqrt(omega[i]);
     const Pack4 uv = u * v, root = uv * omega, du = (3 + 12 * eta * rest) * (1 / 22.0);

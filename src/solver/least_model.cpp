@@ -66,7 +66,8 @@ bool sticks_without_heat(double friction, const Prescribed& given) {
 GridRules rules_of_correction(const Scene& scene, const ZoneLengths& at, int least) {
   const double narrow = decades_shorter(at), extreme = std::max(0.0, narrow - 3);
   const double fast = std::max(0.0, std::log10(at.slip * scene.peclet) - 6);
-  return GridRules(least + static_cast<int>(3 * narrow + 5 * extreme + 5 * fast));
+  const double more = 3 * narrow + 5 * extreme + 5 * fast;
+  return GridRules(static_cast<int>(std::min(least + more, 1.0 * most_unknowns)));
 }
 
 /// The effect of heat on the solution without heat.
@@ -133,7 +134,7 @@ Results error_of_closed_form(const Correction& x) {
   Results change = (x.value - x.cold).abs() / scale_of(x.cold);
   change(Quantity::max_temperature) = x.mean + 1.5 * change(slip_length) / x.cold(slip_length);
   const double r = largest_change(x);
-  return 1.5 * change + r * r + 30 * grid_error(x);
+  return 1.5 * change + 0.01 * r + r * r + 30 * grid_error(x);
 }
 
 double temperature_at(const HottestPoint& top, const Scene& scene, const Correction& x,

@@ -49,7 +49,7 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
   return z;
 }
 
-/// Up to a multiple of four the numbers are zero, and the sums one.
+/// Padded to a multiple of four, with ones for the sums and zeros otherwise.
 struct Fours {
   GradedArray y, u, v, sum;
 };
@@ -69,15 +69,19 @@ Fours in_fours(const std::vector<SlipPoint>& points) {
 }
 
 THERMOROLL_CLONES void t_from(const SlipPoint& from, const Fours& to, GradedArray& apart) {
-  Pack4 step, u, v, sum;
+  Pack4 step, u, v, sum, beyond;
   for (Index k = 0; k < to.y.size(); k += 4) {
     load(&to.y[k], step);
     load(&to.u[k], u);
     load(&to.v[k], v);
     load(&to.sum[k], sum);
     step -= from.y;
-    if (from.beta > 0) step = from.end / from.sum * sinh_of(from.beta * step) / sum;
-    store(t_beyond(from, step, u, v), &apart[k]);
+    if (from.beta > 0) {
+      sinh_of(from.beta * step, step);
+      step *= from.end / from.sum / sum;
+    }
+    t_beyond(from, step, u, v, beyond);
+    store(beyond, &apart[k]);
   }
 }
 
@@ -100,7 +104,9 @@ double distance_of_share(double t, double beta) {
   const double phi = 2 * std::asin(std::sqrt(t));
   const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
   const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
-  const double x = eta - (slip_cubic(eta) - u) * 22 / (3 + 12 * eta * (2 - eta));  // 1 + psi
+  double there = 0;
+  slip_cubic(eta, there);
+  const double x = eta - (there - u) * 22 / (3 + 12 * eta * (2 - eta));  // 1 + psi
   if (beta == 0) return x;
   return std::log1p(x * std::sinh(2 * beta) / (1 + x * std::expm1(-2 * beta) / 2)) / (2 * beta);
 }

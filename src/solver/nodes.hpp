@@ -44,9 +44,8 @@ inline int graded_nodes(int n) { return n <= 12 ? 20 : std::max(28, (n + 7) / 4 
 
 /// Nodes of a graded rule for temperatures: the more the faster the slip zone, lambda, is.
 inline int temperature_nodes(int n, double lambda) {
-  const int own = n <= 12 ? 4 : std::max(n, 20);
   const int more = static_cast<int>(8 * decades_beyond(lambda));
-  return std::min(most_unknowns, own + more) + 24;
+  return std::min(most_unknowns, std::max(n, 20) + more) + 24;
 }
 
 /// The length of the layer beside the border that the stick nodes resolve; 2, the whole contact, on
@@ -68,9 +67,9 @@ struct GridRules {
 };
 
 /// u at the distance eta from psi = -1, or v at that distance from psi = 1; in [0, 1].
-template <class Distance>
-[[gnu::always_inline]] inline auto slip_cubic(const Distance& eta) {
-  return eta * (3 + (12 - 4 * eta) * eta) * (1 / 22.0);
+template <class Number>
+[[gnu::always_inline]] inline void slip_cubic(const Number& eta, Number& u) {
+  u = eta * (3 + (12 - 4 * eta) * eta) * (1 / 22.0);
 }
 
 /// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
@@ -86,8 +85,8 @@ struct SlipPoint {
       right = 2 * b / sum;
     }
     psi = (left - right) / 2;
-    u = slip_cubic(left);
-    v = slip_cubic(right);
+    slip_cubic(left, u);
+    slip_cubic(right, v);
     du = (3 + 12 * left * right) * (1 / 22.0) * growth;
   }
   double beta, y, psi, u, v, du, sum = 0, end = 0, growth = 1;  // du: the derivative of u by y
@@ -95,21 +94,15 @@ struct SlipPoint {
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
 
-/// t - from.t() at a step in psi, by u and v there, without subtracting nearly equal numbers.
+/// apart = t - from.t() at a step in psi, by u and v there; it subtracts no nearly equal numbers.
 template <class Number>
-[[gnu::always_inline]] inline Number t_beyond(const SlipPoint& from, const Number& step,
-                                              const Number& u, const Number& v) {
+[[gnu::always_inline]] inline void t_beyond(const SlipPoint& from, const Number& step,
+                                            const Number& u, const Number& v, Number& apart) {
   const Number psi = from.psi + step;
   const Number slope = (15 - 4 * (from.psi * (from.psi + psi) + psi * psi)) * (1 / 22.0);
   const auto left = u + from.u < 1;
   const Number x = left ? u + from.u : v + from.v, product = left ? u * from.u : v * from.v;
-  return step * slope * (3 * x - 2 * (x * x - product));
-}
-
-/// t(b) - t(a) for points whose y differ by the step.
-inline double t_difference(const SlipPoint& a, const SlipPoint& b, double step) {
-  if (a.beta > 0) step = a.end * std::sinh(a.beta * step) / (a.sum * b.sum);
-  return t_beyond(a, step, b.u, b.v);
+  apart = step * slope * (3 * x - 2 * (x * x - product));
 }
 
 /// The distance 1 + y at which t is the given share, in [0, 1/2].

@@ -1,8 +1,6 @@
 // Tangled from paper/12-coupled-problem.md; edit there.
 #include "solver/thermal_terms.hpp"
 
-#include <vector>
-
 #include "solver/exchange.hpp"
 #include "solver/graded_rule.hpp"
 #include "solver/product.hpp"

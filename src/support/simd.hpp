@@ -28,8 +28,8 @@ inline constexpr double inverse_factorials[] = {
     1 / 6227020800.0, 1 / 479001600.0, 1 / 39916800.0, 1 / 3628800.0, 1 / 362880.0, 1 / 40320.0,
     1 / 5040.0,       1 / 720.0,       1 / 120.0,      1 / 24.0,      1 / 6.0,      1 / 2.0};
 
-/// exp(x) - 1 for |x| < 700, with an error of at most three roundings.
-[[gnu::always_inline]] inline Pack4 exp_less_one(const Pack4& x) {
+/// y = exp(x) - 1 for |x| < 700, with an error of at most three roundings.
+[[gnu::always_inline]] inline void exp_less_one(const Pack4& x, Pack4& y) {
   using Bits [[gnu::vector_size(32)]] = std::int64_t;
   constexpr double whole = 0x1.8p52 + 1023;
   const Pack4 shifted = x * 0x1.71547652b82fep0 + whole, k = shifted - whole;
@@ -40,13 +40,15 @@ inline constexpr double inverse_factorials[] = {
     odd = odd * square + c[0];
   }
   const auto power = reinterpret_cast<Pack4>(reinterpret_cast<Bits>(shifted) << 52);
-  return (power - 1) + power * (r + square * (even + r * odd));
+  y = (power - 1) + power * (r + square * (even + r * odd));
 }
 
-/// sinh(x) for |x| < 700, from it, with an error of at most five.
-[[gnu::always_inline]] inline Pack4 sinh_of(const Pack4& x) {
-  const Pack4 grown = exp_less_one(x < 0 ? -x : x), half = (grown + grown / (1 + grown)) / 2;
-  return x < 0 ? -half : half;
+/// y = sinh(x) for |x| < 700, from it, with an error of at most five.
+[[gnu::always_inline]] inline void sinh_of(const Pack4& x, Pack4& y) {
+  Pack4 grown;
+  exp_less_one(x < 0 ? -x : x, grown);
+  y = (grown + grown / (1 + grown)) / 2;
+  y = x < 0 ? -y : y;
 }
 
 }  // namespace thermoroll

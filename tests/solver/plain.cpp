@@ -31,6 +31,14 @@ int main() {
       std::puts(refusal.what());
     }
   }
+  for (int i = 0; i < 4; ++i) {  // moved ends
+    const Scene scene{0.7 + up_to(0.3), std::pow(10, 5 + up_to(1)), 0.8 + up_to(0.5)};
+    const CoupledSolution x = solve_coupled(scene, {Formulation::corrected, 1e-4},
+                                            {Quantity::stick_slip_border, -0.5 + up_to(0.5)});
+    std::printf("%d ", x.beta > 0);
+    for (const double value : x.value) std::printf("%a ", value);
+    std::puts("");
+  }
   for (int i = 0; i < 12; ++i) {  // two bodies, their bulk temperatures, a law of friction
     Scene scene{0.3, std::pow(10, 1 + up_to(3)), std::pow(10, -2 + up_to(1.5))};
     scene.roller = {0.5 + up_to(2), scene.heating * up_to(2), scene.peclet * (0.1 + up_to(0.8))};

@@ -723,6 +723,13 @@ TEST(Coupled, FirstFineGridFollowsTheEffectOfHeat) {
   }
 }
 
+/// Of two points whose y differ by the step.
+double distance(const thermoroll::SlipPoint& a, const thermoroll::SlipPoint& b, double step) {
+  double apart = 0;
+  t_beyond(a, a.end * std::sinh(a.beta * step) / (a.sum * b.sum), b.u, b.v, apart);
+  return apart;
+}
+
 // @eq:crowded with beta > 0: the sum of all du is 1, psi is a quotient of hyperbolic tangents, the
 // distance of two points is the same next to both ends, as far as the distance of their y is, y is
 // found again from t, and a graded rule has the same points, however near to its target. A rule of
@@ -742,7 +749,7 @@ TEST(Coupled, MovedEndsLoseNoDigits) {
     for (double near = 0.25; near > 1e-15; near /= 8) {
       const thermoroll::SlipPoint a(near, 2 - near, beta), b(2 * near, 2 - 2 * near, beta);
       const thermoroll::SlipPoint c(2 - near, near, beta), d(2 - 2 * near, 2 * near, beta);
-      const double left = t_difference(a, b, near), right = t_difference(d, c, near);
+      const double left = distance(a, b, near), right = distance(d, c, near);
       EXPECT_NEAR(right / left, 1, 64 * epsilon) << near;
       EXPECT_NEAR(left / (b.t() - a.t()), 1, 64 * epsilon) << near;
       EXPECT_NEAR(thermoroll::distance_of_share(a.t(), beta) / near, 1, 64 * epsilon) << near;
@@ -1133,22 +1140,24 @@ TEST(Coupled, NoCorrectionTakesTheBorderOut) {
 
 // Where Newton's method finds nothing next to full slip, it is led there from the middle. The creep
 // of full slip is that of the border next to it: beyond it no border is looked for any more. There
-// the contacts go on, and the first creep has one. In so strong a heat it is lost at a larger
-// creep, or not resolved.
+// the contacts go on, and the first creeps have one, whatever borders coarse grids find. In so
+// strong a heat it is lost at a larger creep, or not resolved.
 TEST(Coupled, StickEndsWhereAllSlipsInStrongHeat) {
   const Driven scene{1.5, 0, 300, 20};
   const CoupledSolution nearly = solve_coupled(scene, {Formulation::corrected, 1e-4},
                                                {Quantity::stick_slip_border, -1 + 1e-4});
   const double most = nearly.value(Quantity::creep);
-  for (const double creep : {1.1 * most, 0.2, 2 * scene.friction / thermoroll::pi}) {
+  const double last = 1.2 * most;
+  for (const double creep :
+       {1.05 * most, 1.1 * most, 1.15 * most, last, 0.2, 2 * scene.friction / thermoroll::pi}) {
     try {
       const CoupledSolution x =
           solve_coupled(scene, {Formulation::corrected, 1e-6}, {Quantity::creep, creep});
-      EXPECT_EQ(creep, 1.1 * most);
+      EXPECT_LE(creep, last);
       EXPECT_EQ(x.value(Quantity::stick_slip_border), -1);
       EXPECT_TRUE(x.violations.empty());
     } catch (const thermoroll::NotResolved& refusal) {
-      EXPECT_GT(creep, 1.1 * most);
+      EXPECT_GT(creep, last);
       for (const thermoroll::GridStep& step : refusal.trace) EXPECT_EQ(step.border, -1) << creep;
     } catch (const std::invalid_argument& refusal) {
       EXPECT_NE(std::string(refusal.what()).find("creep_limit"), std::string::npos) << creep;

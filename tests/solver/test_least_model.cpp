@@ -603,6 +603,16 @@ TEST(LeastModel, RefusesWhatItCannotSolve) {
           << static_cast<int>(given.quantity) << ' ' << given.value;
 }
 
+// The rules of the correction have more nodes for faster slip zones, and no more than there can be.
+TEST(LeastModel, NoSpeedHasTooManyNodes) {
+  for (const double peclet : {1e100, 1e106, 1e200}) {
+    const thermoroll::Scene scene{0.6, peclet, 1e-12};
+    const CoupledSolution x =
+        least_model(scene, {Formulation::corrected, 1e-6}, {Quantity::traction, 0.5}).solution;
+    EXPECT_TRUE(x.value.allFinite() && x.error.allFinite()) << peclet;
+  }
+}
+
 // A traction next to friction has lost digits of what it is less by, and the border is as sensitive
 // to it: four steps of the last bit, of the five that the error allows for, move it by 7e-10.
 TEST(LeastModel, ErrorsCoverTheLastBitsOfTheTraction) {

@@ -188,9 +188,34 @@ TEST(Surface, DistancesHaveTheirDigitsAtBothEnds) {
   for (double near = 0.5; near > 1e-15; near /= 8) {
     const thermoroll::SlipPoint a(near, 2 - near), b(2 * near, 2 - 2 * near);
     const thermoroll::SlipPoint c(2 - near, near), d(2 - 2 * near, 2 * near);
-    const double left = t_difference(a, b, near), right = t_difference(d, c, near);
+    double left = 0, right = 0;
+    t_beyond(a, near, b.u, b.v, left);
+    t_beyond(d, near, c.u, c.v, right);
     EXPECT_NEAR(right / left, 1, 16 * std::numeric_limits<double>::epsilon()) << near;
   }
+}
+
+// Each weight over each distance, whatever the number of nodes leaves of fours. The difference of
+// two positions has lost what the distance has not.
+TEST(Surface, WeightsAreOverTheDistancesOfAllNodes) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  for (const int n : {5, 6, 7, 8, 30})
+    for (const double beta : {0.0, 2.0}) {
+      const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(n);
+      const thermoroll::Nodes z =
+          place_nodes({0.7, 1.3, beta}, rule, thermoroll::gauss_legendre(8));
+      const Eigen::ArrayXd weight = 1 + rule.rho;
+      const Eigen::MatrixXd over = over_distances(z, weight);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j) {
+          const double apart = z.s(i) - z.s(j);
+          if (i == j) {
+            EXPECT_EQ(over(i, j), 0);
+          } else {
+            EXPECT_NEAR(over(i, j) * apart / weight(j), 1, 8 * epsilon / std::abs(apart));
+          }
+        }
+    }
 }
 
 TEST(Surface, RefusesWhatMakesNoSense) {

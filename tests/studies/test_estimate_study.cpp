@@ -98,7 +98,7 @@ TEST(Study, SampleIsOfTheseScenes) {
 // temperature, of 1481 due to the last correction, and of 3508, where heat changes the
 // creep less than both of its parts, and the whole heat less than the flux. In 400 the forces are
 // Carter's but for some millionths, and so are their errors those of the heat. In 5933, with a law,
-// the border has twice the error that is stated, and no more.
+// the border and the slip length have up to twice the error that is stated.
 TEST(Study, ErrorsThatTailsDoNotShowAreCounted) {
   const auto solved = [](const thermoroll::StudyScene& x, double tolerance) {
     return thermoroll::solve_coupled(x.scene, {thermoroll::Formulation::corrected, tolerance},
@@ -109,7 +109,7 @@ TEST(Study, ErrorsThatTailsDoNotShowAreCounted) {
     const auto found = solved(x, x.tolerance), better = solved(x, 1e-11);
     for (int i = 0; i < thermoroll::compared; ++i)
       EXPECT_LE(std::abs(found.value[i] - better.value[i]),
-                (number == 5933 ? 2 : 1) * found.error[i] + better.error[i])
+                (number == 5933 && i < 2 ? 2 : 1) * found.error[i] + better.error[i])
           << number << ' ' << i;
     if (number != 400) continue;
     const thermoroll::Results relative = found.error / thermoroll::scale_in(x.scene, found.value);
@@ -119,7 +119,7 @@ TEST(Study, ErrorsThatTailsDoNotShowAreCounted) {
 }
 
 // What the chapter says: no tolerance is missed, and of a thousand stated errors at most one is too
-// small, by a factor of ten at most.
+// small, by a factor of two at most.
 TEST(Study, EstimatesAreHonest) {
   long compared = 0, beyond = 0;
   for (const std::string& line : lines_of("study.csv")) {
@@ -131,7 +131,7 @@ TEST(Study, EstimatesAreHonest) {
   std::ifstream file(THERMOROLL_ROOT "/figures/measured/study/study-values.json");
   const auto values = nlohmann::json::parse(file);
   EXPECT_LE(std::stod(values.at("study_used").get<std::string>()), 100);
-  EXPECT_LE(std::stod(values.at("study_worst").get<std::string>()), 10);
+  EXPECT_LE(std::stod(values.at("study_worst").get<std::string>()), 2);
   EXPECT_EQ(std::stol(values.at("study_compared").get<std::string>()), compared);
   EXPECT_EQ(std::stol(values.at("study_beyond").get<std::string>()), beyond);
 }
