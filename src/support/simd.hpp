@@ -54,9 +54,10 @@ inline constexpr double inverse_factorials[] = {
 }  // namespace thermoroll
 
 /// A function compiled twice, with and without AVX2 (or once, without, on request); which is called
-/// is found when the program is loaded. That is too early for GCC's thread sanitizer.
+/// is found when the program is loaded. That is too early for GCC's thread sanitizer, and Clang 14
+/// does not find such a function from another file.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(THERMOROLL_ONCE) && \
-    !defined(__SANITIZE_THREAD__)
+    !defined(__SANITIZE_THREAD__) && !defined(__clang__)
 #define THERMOROLL_CLONES [[gnu::target_clones("avx2", "default")]]
 #else
 #define THERMOROLL_CLONES
