@@ -153,9 +153,10 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
   const int cautious = crosses && digits > 4 ? 16 : 10;
   const int first = scene.law ? 12 : easy ? 6 : cautious, last = scene.law ? 96 : 80;
+  const double weak = scene.law || crosses ? 0 : std::min(0.03, 2 * std::pow(10, -0.5 * digits));
   for (int n = first; n <= last && (level.newton_steps == 0 || !level.violations.empty()); n *= 2) {
     Results better = slope;
-    tried = find_border(scene, formulation, n, given, level, better);
+    tried = find_border(scene, formulation, n, given, level, better, weak);
     if (tried.newton_steps > 0) {
       level = tried;
       slope = better;

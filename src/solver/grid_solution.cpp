@@ -159,6 +159,27 @@ GridSolution judged(GridSolution found, const ContactGrid& grid) {
   return found;
 }
 
+/// At the border of x, which heat moves by this step.
+double effect_of_heat(const Scene& scene, const GridSolution& x, double step) {
+  const double b = x.at.stick / 2, half = x.at.slip / 2, f = scene.friction;
+  const Results cold = carter_values({f, b, half, b - half, 2 * f / pi * half});
+  const Results change = (x.value - cold).abs() / scale_of(x.value);
+  return std::max(change.head(compared - 1).maxCoeff(),
+                  std::abs(step) / std::min(x.at.slip, x.at.stick));
+}
+
+/// By c0, without the change of both factors.
+double temperature_by_border(const ContactGrid& grid, const GridSolution& x) {
+  const double step = 1e-3 * std::min(x.at.slip, x.at.stick);
+  const ZoneLengths there = moved_by(x.at, step);
+  const ArrayXd grown = (there.stick + there.slip * grid.nodes.t) / grid.nodes.sigma;
+  const VectorXd h = grown.matrix().cwiseProduct(grid.rules.slip.p * x.h);
+  const TemperatureAndSlope hottest =
+      temperature_and_slope(there, Conduction(grid.scene, true), to_legendre(grid.rules.slip, h),
+                            1 + x.peak.y, 1 - x.peak.y, 0, grid.rules.fine);
+  return heat_share(grid.scene) * (hottest.value - x.peak.value) / step;
+}
+
 }  // namespace
 
 GridSolution solve_on_grid(const Scene& scene, Formulation formulation, int n,
@@ -178,7 +199,7 @@ ZoneLengths moved_by(const ZoneLengths& zones, double step) {
 }
 
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
-                         const Prescribed& given, GridSolution level, Results& slope) {
+                         const Prescribed& given, GridSolution level, Results& slope, double weak) {
   ZoneLengths at = level.at;
   for (int k = 0, failed = 0; k < 30; ++k) {
     const GridSolution last = level;
@@ -199,8 +220,12 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const double least = given.quantity == creep ? std::max(noise, 1e-15) : 1e-15;
     double step = slope(stick_slip_border) * residual(level, given);
     if (!(room > least && std::isfinite(step))) break;  // the border leaves the contact
+    if (k == 0 && effect_of_heat(scene, level, step) < weak) {
+      slope(max_temperature) = slope(stick_slip_border) * temperature_by_border(grid, level);
+      return judged(level, grid);
+    }
     if (k > 0 && std::abs(step) <= near) return judged(level, grid);
-    if (std::abs(step) < near) step = near;  // a second border, for the derivative
+    if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
     at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
   }
   level.newton_steps = 0;

@@ -1255,6 +1255,37 @@ TEST(Coupled, ABorderThatHardlyMovesIsSolvedOnceMore) {
               x.error(Quantity::stick_slip_border) + unsure);
 }
 
+// Carter's derivative is off by about the effect of heat, and that of two borders by a thousandth,
+// by which they are apart; so both differ by twice the sum at most. The derivative of the
+// temperature, which Carter's has not, is held to the same. In strong heat the border is searched
+// for.
+TEST(Coupled, OneBorderIsEnoughWhereHeatIsWeak) {
+  using thermoroll::Results;
+  for (const double peclet : {1.0, 100.0, 1e5})
+    for (const double f_h : {0.0, 1e-6, 1e-3, 3.0})
+      for (const double share : {0.1, 0.5, 0.95}) {
+        SCOPED_TRACE(::testing::Message()
+                     << "Pe = " << peclet << ", f H = " << f_h << ", Q / f = " << share);
+        const thermoroll::Scene scene{friction, peclet, f_h / friction};
+        const thermoroll::Prescribed given{Quantity::traction, friction * share};
+        const thermoroll::Carter cold = thermoroll::carter(friction, given.value);
+        thermoroll::GridSolution start;
+        start.at = {2 * cold.slip_half_width, 2 * cold.b};
+        Results by_one = carter_slope(cold, Quantity::traction), by_two = by_one;
+        const auto find = [&](Results& slope, double weak) {
+          return find_border(scene, Formulation::corrected, 10, given, start, slope, weak);
+        };
+        const thermoroll::GridSolution one = find(by_one, 0.03), two = find(by_two, 0);
+        const Results change = one.value - thermoroll::carter_values(cold);
+        const Results scale = thermoroll::scale_of(one.value);
+        const double heat = (change / scale).head(thermoroll::compared - 1).abs().maxCoeff();
+        EXPECT_EQ(one.at.slip == start.at.slip, f_h < 1);
+        if (f_h > 1) continue;
+        const Results apart = (by_one - by_two) / by_two.abs().max(scale);
+        EXPECT_LE(apart.head(thermoroll::compared).abs().maxCoeff(), 2 * (heat + 1e-3));
+      }
+}
+
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
 // node.
 TEST(Coupled, ProfilesCarryTheLoads) {
