@@ -1131,7 +1131,8 @@ local function joined(pieces_using)
   return table.concat(out, ", ")
 end
 
-local function where(piece) return string.format("%s:%d", escape(piece.source), piece.line) end
+--- The chapter, without the folder of all chapters, and the line.
+local function where(piece) return string.format("%s:%d", escape((piece.source:gsub("^paper/", ""))), piece.line) end
 
 local function chunk_box(piece, open)
   local chunk, notes, parts = chunks[piece.id], {}, ""

@@ -104,7 +104,7 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level.at));
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
-    if (rate > 0) next = std::clamp(n + std::log(missing) / rate + 4, 1.3 * n, next);
+    if (rate > 0) next = std::clamp(n + std::log(missing / 8) / rate + 4, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
   const int least = static_cast<int>(std::ceil(next));

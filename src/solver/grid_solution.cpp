@@ -121,13 +121,20 @@ std::vector<Index> flux_maxima(const ContactGrid& grid, const VectorXd& h) {
   return maxima;
 }
 
-HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const HottestPoint& near) {
+const GaussLegendre& rule_for_hottest(const ContactGrid& grid) {
+  const auto nodes = static_cast<int>(grid.rules.fine.x.size());
+  return gauss_legendre(grid.nodes.y.size() > 12 ? nodes : nodes - 16);
+}
+
+HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSolution& last) {
   const Conduction conduction(grid.scene, !grid.crossing);
   const VectorXd smooth = without_ripples(grid.scene, h), more = temperature_by_exchange(grid, h);
   const auto search = [&](const HottestPoint& from) {
-    return find_hottest(grid.nodes.zones, conduction, smooth, from, grid.rules.fine, more);
+    return find_hottest(grid.nodes.zones, conduction, smooth, from, rule_for_hottest(grid), more);
   };
-  HottestPoint top = search(near);
+  const bool first = last.newton_steps == 0;
+  HottestPoint top =
+      search(first ? expected_hottest(grid.nodes.zones, conduction.peclet) : last.peak);
   const std::vector<Index> maxima = flux_maxima(grid, h);
   if (maxima.size() < 2 || maxima.size() > 8) return top;
   for (const Index i : maxima) {
@@ -146,7 +153,7 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.h = carter_h(grid);
   if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
   found.newton_steps = solve_flux(grid, found.h);
-  found.peak = hottest_on(grid, found.h, from.peak);
+  found.peak = hottest_on(grid, found.h, from);
   found.value = values_on_grid(grid, found);
   found.crossing = crossing_heat(grid, found);
   if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
@@ -176,7 +183,7 @@ double temperature_by_border(const ContactGrid& grid, const GridSolution& x) {
   const VectorXd h = grown.matrix().cwiseProduct(grid.rules.slip.p * x.h);
   const TemperatureAndSlope hottest =
       temperature_and_slope(there, Conduction(grid.scene, true), to_legendre(grid.rules.slip, h),
-                            1 + x.peak.y, 1 - x.peak.y, 0, grid.rules.fine);
+                            1 + x.peak.y, 1 - x.peak.y, 0, rule_for_hottest(grid));
   return heat_share(grid.scene) * (hottest.value - x.peak.value) / step;
 }
 

@@ -30,13 +30,15 @@ inline double decades_shorter(const ZoneLengths& at) {
   return std::min(std::max(0.0, std::log10(at.stick / at.slip) - 2), 20.0);  // 0 for NaN
 }
 
-/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. Fine grids
-/// occur at large H, which needs G as fine as h. Full slip has no stick zone.
+/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The finest
+/// grids occur at large H, which needs G as fine as h. Full slip has no stick zone.
 inline int stick_nodes(int n, const ZoneLengths& at, double layer) {
   if (at.stick == 0) return 0;
+  if (n > 200) return n;
   const int few = n <= 12 ? 8 : std::max(3 * n / 4 + 2, n / 2 + 11);
   const double decades = decades_shorter({std::min(at.slip, layer), at.stick});
-  return n > 64 ? n : few + static_cast<int>(2 * decades);
+  const int all = few + static_cast<int>(2 * decades);
+  return n > 64 ? std::min(n, all) : all;
 }
 
 /// Nodes of a graded rule on a grid of n unknowns; coarse grids only lead to finer ones.

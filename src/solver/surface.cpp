@@ -228,6 +228,11 @@ HottestPoint largest_of_series(const VectorXd& series) {
   });
 }
 
+HottestPoint expected_hottest(const ZoneLengths& zones, double peclet) {
+  return {0.36 + 0.065 * zones.slip - 0.33 / (1 + 0.8 * peclet * zones.slip), 0,
+          -2.7 - zones.slip / 2};
+}
+
 HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction, const VectorXd& h,
                           const HottestPoint& near, const GaussLegendre& rule,
                           const VectorXd& more) {
@@ -323,7 +328,7 @@ Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tol
   const auto find = [&](const HottestPoint& near) {
     return find_hottest(x.zones(), conduction, x.h, near, gauss_legendre(nodes));
   };
-  for (HottestPoint before = find({});;) {
+  for (HottestPoint before = find(expected_hottest(x.zones(), conduction.peclet));;) {
     nodes += 8;
     const HottestPoint now = find(before);
     const double error = quadrature_error(nodes, std::abs(now.value - before.value), now.value);

@@ -40,8 +40,11 @@ Eigen::ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& cond
 
 /// The hottest point of the slip zone and T* there.
 struct HottestPoint {
-  double y = 0.43, value = 0, curvature = -3;  // curvature: the second derivative of ln T by y
+  double y = 0, value = 0, curvature = -3;  // curvature: the second derivative of ln T by y
 };
+
+/// A start for the search if there is no coarser grid, without a value.
+HottestPoint expected_hottest(const ZoneLengths& zones, double peclet);
 
 /// Find it from a nearby start, to about 1e-8 in y; a rule of a multiple of eight nodes. A Legendre
 /// series in y may be added to T*.
