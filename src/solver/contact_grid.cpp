@@ -141,11 +141,15 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const LawAtNode
   return phi;
 }
 
+double strain_of_zone(const Scene& scene, const ZoneLengths& at) {
+  return scene.friction * heating_of_both(scene) * std::sqrt(at.slip * scene.peclet);
+}
+
 /// beta of @eq:angles for a scene with these zones; 9 and 120 are found by trial, and
 /// so is the least heat. A chi of more than 1e6 counts as 1e6, which keeps the sines finite.
 double crowding(const Scene& scene, Formulation formulation, const ZoneLengths& at) {
   const double heat = scene.friction * heating_of_both(scene);
-  const double strain = heat * std::sqrt(at.slip * scene.peclet);
+  const double strain = strain_of_zone(scene, at);
   const bool other_layers = scene.law || is_unlike(scene) || scene.bulk_difference != 0;
   const bool ripples = formulation == Formulation::printed && scene.direction == Direction::braking;
   if (other_layers || ripples || heat < 0.5 || !(strain >= 120)) return 0;

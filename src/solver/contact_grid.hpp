@@ -42,6 +42,9 @@ struct ContactGrid {
 
 double crowding(const Scene& scene, Formulation formulation, const ZoneLengths& at);
 
+/// chi of @eq:strain-of-zone; beyond some 100 the zone has layers at its ends.
+double strain_of_zone(const Scene& scene, const ZoneLengths& at);
+
 /// With these rules, for an h of so many terms; or with n unknowns, and as many terms.
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,
                          const GridRules& rules, Eigen::Index terms);

@@ -75,6 +75,7 @@ Results error_of_rules(const Scene& scene, int n) {
   const double speed = scene.peclet / 10;
   Results errors = Results::Constant(error / 20 * std::clamp(speed, 0.02, 1.0));
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
+  if (is_unlike(scene)) errors(max_temperature) += 6e-12;  // of the tables of both bodies
   return errors;
 }
 
@@ -104,7 +105,8 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level.at));
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
-    if (rate > 0) next = std::clamp(n + std::log(missing / 8) / rate + 4, 1.3 * n, next);
+    const double left = strain_of_zone(scene, level.at) < 120 ? missing / 8 : missing;
+    if (rate > 0) next = std::clamp(n + std::log(left) / rate + 4, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
   const int least = static_cast<int>(std::ceil(next));

@@ -465,7 +465,7 @@ TEST(Solution, PeaksAreOfTheModelOnTheFinestGrid) {
   int finest = 0;
   for (const Method method : {Method::coupled, Method::first_order})
     for (const double tolerance : {1e-2, 1e-4, 1e-11}) {
-      const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 3 : 0.1};
+      const Driven scene{0.6, 0.3, 1000, method == Method::coupled ? 4 : 0.1};
       const Solution x = solve(scene, {Formulation::printed, tolerance, method});
       const auto& found = std::get<CoupledSolution>(x.found);
       int n = found.unknowns;
