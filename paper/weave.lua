@@ -1148,8 +1148,8 @@ local function chunk_box(piece, open)
     end
     parts = string.format('<span class="part">%spart %d of %d%s%s</span>',
       chunk.of_parts and chunk.html .. " += " or "", piece.part, #chunk.pieces,
-      step(chunk.pieces[piece.part - 1], "↑", "previous part"),
-      step(chunk.pieces[piece.part + 1], "↓", "next part"))
+      step(chunk.pieces[piece.part - 1], "↑", "previous"),
+      step(chunk.pieces[piece.part + 1], "↓", "next"))
   end
   local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
   return raw(string.format('<details class="%s" id="%s"%s>\n<summary>'

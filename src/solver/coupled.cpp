@@ -75,7 +75,7 @@ Results error_of_rules(const Scene& scene, int n) {
   const double speed = scene.peclet / 10;
   Results errors = Results::Constant(error / 20 * std::clamp(speed, 0.02, 1.0));
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
-  if (is_unlike(scene)) errors(max_temperature) += 6e-12;  // of the tables of both bodies
+  errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
   return errors;
 }
 
