@@ -105,7 +105,7 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level.at));
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
-    const double left = strain_of_zone(scene, level.at) < 120 ? missing / 8 : missing;
+    const double left = strain_of_zone(scene, level.at) < 120 ? missing / 4 : missing;
     if (rate > 0) next = std::clamp(n + std::log(left) / rate + 4, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
