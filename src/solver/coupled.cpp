@@ -225,6 +225,16 @@ int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   return std::min(by_digits, unknowns_for_heat(coarse.h, cold, digits));
 }
 
+/// Relative errors that a correction leaves.
+Results not_corrected(const Results& value, const Results& slope, const Results& corrected,
+                      const ZoneLengths& at) {
+  Results error = 0.03 * corrected;
+  if (slope(load_ratio) != 0) return error;
+  const double most = std::max(std::abs(value(load_ratio) - 1), std::abs(value(gamma0)));
+  error(load_ratio) = error(gamma0) = 2 * most * corrected(stick_slip_border) / at.slip;
+  return error;
+}
+
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
@@ -241,7 +251,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
-  const Results small = 0.03 * corrected + error_of_rules(scene, n);
+  const Results small = error_of_rules(scene, n) + not_corrected(value, slope, corrected, level.at);
   Results left = estimate(change, share, now, then, n, slow, level.at.beta > 0) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)

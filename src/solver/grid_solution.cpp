@@ -227,7 +227,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const double least = given.quantity == creep ? std::max(noise, 1e-15) : 1e-15;
     double step = slope(stick_slip_border) * residual(level, given);
     if (!(room > least && std::isfinite(step))) break;  // the border leaves the contact
-    if (k == 0 && effect_of_heat(scene, level, step) < weak) {
+    if (k == 0 && !grid.crossing && effect_of_heat(scene, level, step) < weak) {
       slope(max_temperature) = slope(stick_slip_border) * temperature_by_border(grid, level);
       return judged(level, grid);
     }

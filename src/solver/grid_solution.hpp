@@ -50,8 +50,9 @@ ZoneLengths moved_by(const ZoneLengths& zones, double step);
 GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n);
 
 /// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
-/// slope, the derivative of all quantities with respect to it, is improved, or Carter's if heat
-/// changes the results by less than `weak`. No newton_steps if no solution is found.
+/// slope, the derivative of all quantities with respect to it, is improved; only that of the
+/// temperature is if heat changes the others by less than `weak`. No newton_steps if no solution is
+/// found.
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope,
                          double weak = 0);

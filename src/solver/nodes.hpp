@@ -30,8 +30,9 @@ inline double decades_shorter(const ZoneLengths& at) {
   return std::min(std::max(0.0, std::log10(at.stick / at.slip) - 2), 20.0);  // 0 for NaN
 }
 
-/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade. The finest
-/// grids occur at large H, which needs G as fine as h. Full slip has no stick zone.
+/// Nodes of the stick zone on a grid of n unknowns: two more for every such decade, but at most n
+/// of them if n > 64. The finest grids occur at large H, which needs G as fine as h. Full slip has
+/// no stick zone.
 inline int stick_nodes(int n, const ZoneLengths& at, double layer) {
   if (at.stick == 0) return 0;
   if (n > 200) return n;

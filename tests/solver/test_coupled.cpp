@@ -1286,6 +1286,34 @@ TEST(Coupled, OneBorderIsEnoughWhereHeatIsWeak) {
       }
 }
 
+// At the tolerance where one border is still enough, results and errors against the search by two
+// borders, which a tighter tolerance makes: for all that can be given, both signs, driving and
+// braking, one body and two alike.
+TEST(Coupled, OneBorderHasItsErrors) {
+  using thermoroll::Direction;
+  int by_one = 0;
+  for (const Formulation formulation : both)
+    for (const Direction direction : {Direction::driving, Direction::braking})
+      for (const double ratio : {0.0, 1.0})
+        for (const double f_h : {1e-5, 1e-3, 0.02})
+          for (const double tolerance : {1e-3, 1e-6, 1e-8})
+            for (const auto& [quantity, value] :
+                 {std::pair{Quantity::traction, 0.3}, {Quantity::creep, 0.2}}) {
+              thermoroll::Scene scene{friction, 300, f_h / friction};
+              scene.direction = direction;
+              if (ratio > 0) scene.roller = {ratio, scene.heating};
+              const thermoroll::Prescribed given{quantity, value};
+              const CoupledSolution x = solve_coupled(scene, {formulation, tolerance}, given);
+              const CoupledSolution exact = solve_coupled(scene, {formulation, 1e-10}, given);
+              if (x.trace[0].border == carter_given(friction, given).c0) ++by_one;
+              for (int q = 0; q < thermoroll::compared; ++q)
+                EXPECT_LE(std::abs(x.value[q] - exact.value[q]), x.error[q] + exact.error[q])
+                    << q << " at " << tolerance << ", f H = " << f_h;
+            }
+  EXPECT_GT(by_one, 40);
+  EXPECT_LT(by_one, 144);
+}
+
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
 // node.
 TEST(Coupled, ProfilesCarryTheLoads) {
