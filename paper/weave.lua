@@ -622,12 +622,12 @@ local function caption(noun, number, inlines)
   return pandoc.List({ pandoc.Strong(noun .. " " .. number .. "."), pandoc.Space() }) .. inlines
 end
 
---- Keeps of the points between two, in hundredths, those that draw the line within eight hundredths,
---- less than the tenth that they are rounded to: the one farthest from the chord, and so on either side.
+--- Keeps of the points between two, in hundredths, those that draw the line within twelve
+--- hundredths, hardly more than the tenth that they are rounded to: the one farthest from the chord, and so on either side.
 local function keep_corners(points, from, to, kept)
   local a, b = points[from], points[to]
   local dx, dy = b.x - a.x, b.y - a.y
-  local square, largest, farthest = dx * dx + dy * dy, 8, nil
+  local square, largest, farthest = dx * dx + dy * dy, 12, nil
   for k = from + 1, to - 1 do
     local x, y = points[k].x - a.x, points[k].y - a.y
     local share = square == 0 and 0 or math.max(0, math.min(1, (x * dx + y * dy) / square))
