@@ -139,7 +139,7 @@ template <int packs>
 [[gnu::always_inline]] inline void sum_series(double side, const double* y, const GradedArray& c,
                                               const GradedArray& factor, double* sums) {
   Pack4 x[packs], now[packs] = {}, after[packs] = {};
-  for (int i = 0; i < packs; ++i) {
+  for (Index i = 0; i < packs; ++i) {
     load(y + 4 * i, x[i]);
     x[i] *= side;
   }
@@ -149,7 +149,7 @@ template <int packs>
       after[i] = now[i];
       now[i] = next;
     }
-  for (int i = 0; i < packs; ++i) store(now[i], sums + 4 * i);
+  for (Index i = 0; i < packs; ++i) store(now[i], sums + 4 * i);
 }
 
 THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {

@@ -210,7 +210,7 @@ THERMOROLL_CLONES void sum_and_square(const double* density, OctaveSums& x, doub
       for (int k = 0; k < 3; ++k) sum[k] += density[3 * i + k] * p;
       store(p * p, power);
     }
-    for (int k = 0; k < 3; ++k) store(sum[k], sums + 2 * cell_nodes * k + place);
+    for (Eigen::Index k = 0; k < 3; ++k) store(sum[k], sums + k * 2 * cell_nodes + place);
   }
 }
 

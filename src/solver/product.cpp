@@ -13,7 +13,7 @@ using Changed = Eigen::Ref<Eigen::MatrixXd>;
 template <class Pack, int packs, int columns>
 [[gnu::always_inline]] inline void add_block(double sign, const Given& a, const Given& b, Index i,
                                              Index j, Changed& c) {
-  constexpr int size = sizeof(Pack) / sizeof(double);
+  constexpr Index size = sizeof(Pack) / sizeof(double);
   Pack sum[packs][columns] = {}, pack;
   for (Index k = 0; k < a.cols(); ++k)
     for (int r = 0; r < packs; ++r) {
@@ -40,11 +40,12 @@ template <class Pack, int packs>
 
 THERMOROLL_CLONES void add_product(double sign, const Given& a, const Given& b, Changed c) {
   using Pack2 [[gnu::vector_size(16)]] = double;
+  using Pack1 [[gnu::vector_size(8)]] = double;
   Index i = 0;
   add_rows<Pack4, 2>(sign, a, b, i, c);
   add_rows<Pack4, 1>(sign, a, b, i, c);
   add_rows<Pack2, 1>(sign, a, b, i, c);
-  add_rows<double, 1>(sign, a, b, i, c);
+  add_rows<Pack1, 1>(sign, a, b, i, c);
 }
 
 }  // namespace thermoroll
