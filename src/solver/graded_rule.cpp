@@ -73,31 +73,58 @@ void kernel_weights(const Conduction& c, const GradedRule& graded, Index columns
   weights.col(6) = graded.heat * behind;
 }
 
+/// The leading coefficients k_l, and the factors l^2 / (4 l^2 - 1).
+struct Monic {
+  Monic() : leading(GradedArray::Ones(size)), factor(GradedArray::Zero(size)) {
+    for (Index l = 1; l < size; ++l) {
+      const auto order = static_cast<double>(l);
+      leading[l] = leading[l - 1] * (2 - 1 / order);
+      factor[l] = order * order / (4 * order * order - 1);
+    }
+  }
+  static constexpr Index size = GradedArray::MaxRowsAtCompileTime;
+  GradedArray leading, factor;
+};
+
+const Monic& monic() {
+  static const Monic all;
+  return all;
+}
+
+template <Index columns>
+[[gnu::always_inline]] inline void add_up(const Pack4* packs, double leading, double* sums) {
+  Index w = 0;
+  for (Pack4 four; w + 4 <= columns; w += 4) {
+    sums_of(packs + w, four);
+    store(leading * four, sums + w);
+  }
+  for (; w < columns; ++w) sums[w] = leading * sum_of(packs[w]);
+}
+
 template <Index columns>
 [[gnu::always_inline]] inline void sum_columns(const GradedArray& y, const KernelWeights& weights,
                                                Sums& sums) {
+  const Monic& k = monic();
   GradedArray now = GradedArray::Ones(y.size()), next = y;
   Pack4 x, p, q, weight;
   for (Index l = 0; l < sums.cols(); l += 2) {
     Pack4 even[columns] = {}, odd[columns] = {};
-    const double down = 1 - 1 / static_cast<double>(l + 2), up = 1 + down;  // (l + 1) / (l + 2)
-    const double below = 1 - 1 / static_cast<double>(l + 3), above = 1 + below;
-    for (Index k = 0; k < y.size(); k += 4) {
-      load(&y[k], x);
-      load(&now[k], p);
-      load(&next[k], q);
+    const double less_p = k.factor[l + 1], less_q = k.factor[l + 2];
+    for (Index i = 0; i < y.size(); i += 4) {
+      load(&y[i], x);
+      load(&now[i], p);
+      load(&next[i], q);
       for (Index w = 0; w < columns; ++w) {
-        load(&weights(k, w), weight);
+        load(&weights(i, w), weight);
         even[w] += weight * p;
         odd[w] += weight * q;
       }
-      p = up * x * q - down * p;
-      store(p, &now[k]);
-      store(above * x * p - below * q, &next[k]);
+      p = x * q - less_p * p;
+      store(p, &now[i]);
+      store(x * p - less_q * q, &next[i]);
     }
-    for (Index w = 0; w < columns; ++w) sums(w, l) = sum_of(even[w]);
-    if (l + 1 == sums.cols()) break;
-    for (Index w = 0; w < columns; ++w) sums(w, l + 1) = sum_of(odd[w]);
+    add_up<columns>(even, k.leading[l], &sums(0, l));
+    if (l + 1 < sums.cols()) add_up<columns>(odd, k.leading[l + 1], &sums(0, l + 1));
   }
 }
 
@@ -121,20 +148,6 @@ MatrixXd by_derivatives(const MatrixXd& sums) {
   return derivatives;
 }
 
-/// The leading coefficients k_l, and the factors l^2 / (4 l^2 - 1).
-struct Monic {
-  Monic()
-      : leading(GradedArray::Ones(most_unknowns + 1)),
-        factor(GradedArray::Zero(most_unknowns + 1)) {
-    for (Index l = 1; l <= most_unknowns; ++l) {
-      const auto order = static_cast<double>(l);
-      leading[l] = leading[l - 1] * (2 - 1 / order);
-      factor[l] = order * order / (4 * order * order - 1);
-    }
-  }
-  GradedArray leading, factor;
-};
-
 template <int packs>
 [[gnu::always_inline]] inline void sum_series(double side, const double* y, const GradedArray& c,
                                               const GradedArray& factor, double* sums) {
@@ -153,12 +166,11 @@ template <int packs>
 }
 
 THERMOROLL_CLONES GradedArray series(double side, const GradedArray& y, const VectorXd& c) {
-  static const Monic monic;
-  const GradedArray scaled = c.array() * monic.leading.head(c.size());
+  const GradedArray scaled = c.array() * monic().leading.head(c.size());
   GradedArray sums(y.size());
   Index k = 0;
-  for (; k + 16 <= y.size(); k += 16) sum_series<4>(side, &y[k], scaled, monic.factor, &sums[k]);
-  if (k < y.size()) sum_series<2>(side, &y[k], scaled, monic.factor, &sums[k]);
+  for (; k + 16 <= y.size(); k += 16) sum_series<4>(side, &y[k], scaled, monic().factor, &sums[k]);
+  if (k < y.size()) sum_series<2>(side, &y[k], scaled, monic().factor, &sums[k]);
   return sums;
 }
 

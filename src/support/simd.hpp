@@ -20,8 +20,16 @@ inline void store(const Pack& x, double* to) {
   std::memcpy(to, &x, sizeof x);
 }
 
-/// Their sum.
+/// Their sum, and the sums of four packs, added in the same order.
 inline double sum_of(const Pack4& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
+[[gnu::always_inline]] inline void sums_of(const Pack4* x, Pack4& sums) {
+  Pack4 pairs[2];
+  for (int i = 0; i < 2; ++i, x += 2)
+    pairs[i] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6) +
+               __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
+  sums = __builtin_shufflevector(pairs[0], pairs[1], 0, 1, 4, 5) +
+         __builtin_shufflevector(pairs[0], pairs[1], 2, 3, 6, 7);
+}
 
 /// 1/13!, 1/12! ... 1/2!
 inline constexpr double inverse_factorials[] = {
