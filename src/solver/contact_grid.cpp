@@ -318,10 +318,10 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   const ArrayXd df = slope_on_stick(grid, f.tail(m)), dg = slope_on_stick(grid, g);
   const ArrayXd over_root = z.over_root.array();
   ArrayXd p = 2 * kappa - over_root.tail(m) * df, v = 2 * friction * kappa - z.over_w * dg;
-  ArrayXd distance(m);
+  ArrayXd distance(m), from_slip(n);
   for (Index i = 0; i < m; ++i) {
-    distance = z.zones.slip * z.t + z.d(i);
-    p(i) -= (over_root.head(n) * (f.head(n) - f(n + i)) / distance).sum();
+    from_slip = z.zones.slip * z.t + z.d(i);
+    p(i) -= (over_root.head(n) * (f.head(n) - f(n + i)) / from_slip).sum();
     distance = z.d(i) - z.d;
     distance(i) = 1;  // any number: f - f is 0 there
     p(i) -= (over_root.tail(m) * (f.tail(m) - f(n + i)) / distance).sum();

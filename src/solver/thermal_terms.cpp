@@ -10,7 +10,6 @@ namespace thermoroll {
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
 
 namespace {
 
@@ -36,6 +35,21 @@ FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, con
     if (temperature) k.m.col(j) = temperatures_ahead(c, at, behind).matrix();
   }
   return k;
+}
+
+void fill_slip_rows(const Sums& sums, Index target, ThermalTerms& thermal, MatrixXd& by_dh) {
+  const Index image = by_dh.rows() - 1 - target;
+  for (Index l = 0; l < sums.cols(); ++l) {
+    const double sign = l % 2 == 0 ? 1 : -1;
+    thermal.f(target, l) = sums(0, l);
+    thermal.df(target, l) = sums(1, l);
+    by_dh(target, l) = sums(2, l);
+    thermal.g(target, l) += sums(3, l);
+    thermal.g(image, l) += sign * sums(4, l);
+    if (sums.rows() == node_weights) continue;
+    thermal.temperature(target, l) += sums(5, l);
+    thermal.temperature(image, l) += sign * sums(6, l);
+  }
 }
 
 void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction& conduction,
@@ -80,20 +94,11 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   const Index columns = scene.law ? hot_weights : node_weights;
   Sums sums(columns, terms);
   MatrixXd by_dh(n, terms);
-  RowVectorXd mirror = RowVectorXd::Ones(terms);
-  for (Index l = 1; l < terms; l += 2) mirror(l) = -1;
   for (Index i = 0; i < n; ++i) {
     grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule, z.zones.beta);
     kernel_weights(conduction, graded, columns, weights);
     legendre_sums(graded.y, weights, sums);
-    thermal.f.row(i) = sums.row(0);
-    thermal.df.row(i) = sums.row(1);
-    by_dh.row(i) = sums.row(2);
-    thermal.g.row(i) += sums.row(3);
-    thermal.g.row(n - 1 - i) += sums.row(4).cwiseProduct(mirror);
-    if (!scene.law) continue;
-    thermal.temperature.row(i) += sums.row(5);
-    thermal.temperature.row(n - 1 - i) += sums.row(6).cwiseProduct(mirror);
+    fill_slip_rows(sums, i, thermal, by_dh);
   }
   thermal.df += by_derivatives(by_dh);
   if (m > 0) fill_stick_rows(thermal, scene, conduction, z, rule);
