@@ -235,6 +235,16 @@ Results not_corrected(const Results& value, const Results& slope, const Results&
   return error;
 }
 
+/// Relative to their scale.
+Results changes(const Scene& scene, const Prescribed& given, const Results& difference,
+                const Results& scale) {
+  Results change = difference.abs() / scale;
+  if (given.quantity == creep) return change;
+  for (const Quantity q : {creep_constant, creep})
+    change(q) = std::max(change(q), scene.friction / pi * change(slip_length) / scale(q));
+  return change;
+}
+
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
@@ -247,7 +257,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double finer = static_cast<double>(last.h.size()) / n;
   const double smooth = n > 200 || (level.crossing && !slow) ? 0.004 : 0.01;
   const double remembered = bent && !level.crossing ? finer * finer : smooth;
-  const Results change = ((value - before.value).abs() / scale).max(remembered * before.change);
+  const Results change =
+      changes(scene, given, value - before.value, scale).max(remembered * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -1312,6 +1313,20 @@ TEST(Coupled, OneBorderHasItsErrors) {
             }
   EXPECT_GT(by_one, 40);
   EXPECT_LT(by_one, 144);
+}
+
+// Creeps that by chance hardly change between the last two grids, in scenes whose border does.
+TEST(Coupled, CreepChangesWithTheBorder) {
+  for (const auto& [f, load, peclet, heating] :
+       {std::array{0.341088, 0.113274, 21865.2, 0.555036},
+        std::array{0.61295, 0.083614, 57127.0, 0.0907041},
+        std::array{0.442591, 0.208522, 14217.4, 0.19448}}) {
+    const Driven scene{f, load, peclet, heating};
+    const CoupledSolution x = solve(scene, Formulation::corrected, 1e-6);
+    const CoupledSolution exact = solve(scene, Formulation::corrected, 1e-10);
+    for (const Quantity q : {Quantity::creep_constant, Quantity::creep})
+      EXPECT_LE(std::abs(x.value(q) - exact.value(q)), x.error(q)) << "at f = " << f;
+  }
 }
 
 // Loads and total heat as integrals of the profiles between their nodes, and what holds at every
