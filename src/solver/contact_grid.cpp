@@ -145,14 +145,14 @@ double strain_of_zone(const Scene& scene, const ZoneLengths& at) {
   return scene.friction * heating_of_both(scene) * std::sqrt(at.slip * scene.peclet);
 }
 
-/// beta of @eq:angles for a scene with these zones; 9 and 120 are found by trial, and
-/// so is the least heat. A chi of more than 1e6 counts as 1e6, which keeps the sines finite.
+/// beta of @eq:angles for a scene with these zones; the numbers are found by trial. A chi of more
+/// than 1e6 counts as 1e6, which keeps the sines finite.
 double crowding(const Scene& scene, Formulation formulation, const ZoneLengths& at) {
   const double heat = scene.friction * heating_of_both(scene);
   const double strain = strain_of_zone(scene, at);
   const bool other_layers = scene.law || is_unlike(scene) || scene.bulk_difference != 0;
   const bool ripples = formulation == Formulation::printed && scene.direction == Direction::braking;
-  if (other_layers || ripples || heat < 0.5 || !(strain >= 120)) return 0;
+  if (other_layers || ripples || heat < 0.5 || !(strain >= strain_of_layers)) return 0;
   return std::log(std::min(strain, 1e6) / 9) / 2;
 }
 

@@ -42,8 +42,10 @@ struct ContactGrid {
 
 double crowding(const Scene& scene, Formulation formulation, const ZoneLengths& at);
 
-/// chi of @eq:strain-of-zone; beyond some 100 the zone has layers at its ends.
+/// chi of @eq:strain-of-zone, and the chi from which the ends of the zone have layers that the
+/// cubics do not resolve.
 double strain_of_zone(const Scene& scene, const ZoneLengths& at);
+inline constexpr double strain_of_layers = 120;
 
 /// With these rules, for an h of so many terms; or with n unknowns, and as many terms.
 ContactGrid contact_grid(const Scene& scene, Formulation formulation, const ZoneLengths& zones,

@@ -105,7 +105,8 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level.at));
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
-    const double left = strain_of_zone(scene, level.at) < 120 ? missing / 4 : missing;
+    const bool layers = strain_of_zone(scene, level.at) >= strain_of_layers;
+    const double left = layers ? missing : missing / 4;
     if (rate > 0) next = std::clamp(n + std::log(left) / rate + 4, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
@@ -225,9 +226,9 @@ int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   return std::min(by_digits, unknowns_for_heat(coarse.h, cold, digits));
 }
 
-/// Relative errors that a correction leaves.
-Results not_corrected(const Results& value, const Results& slope, const Results& corrected,
-                      const ZoneLengths& at) {
+/// Relative errors that the correction of a solution for the prescribed quantity leaves.
+Results error_of_correction(const Results& value, const Results& slope, const Results& corrected,
+                            const ZoneLengths& at) {
   Results error = 0.03 * corrected;
   if (slope(load_ratio) != 0) return error;
   const double most = std::max(std::abs(value(load_ratio) - 1), std::abs(value(gamma0)));
@@ -262,7 +263,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
-  const Results small = error_of_rules(scene, n) + not_corrected(value, slope, corrected, level.at);
+  const Results small =
+      error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at);
   Results left = estimate(change, share, now, then, n, slow, level.at.beta > 0) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
