@@ -36,24 +36,32 @@ bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
   return scene.friction * heating_of_both(scene) > 1 || short_zone;
 }
 
-/// The part of a change since the previous grid that is counted as the error of this one of n
-/// unknowns.
-double part_of_change(int n, bool slow, bool crowded) {
-  if (n > 200) return crowded ? 0.2 : 0.05;
-  if (slow) return 1;
-  return 0.2;
+/// The unknowns of a grid and of the one before it; slow if errors fall slowly, crowded if nodes
+/// are moved to the ends.
+struct Convergence {
+  int before, n;
+  bool slow, crowded;
+};
+
+/// The part of a change since the previous grid that is counted as the error of this one.
+double part_of_change(const Convergence& at) {
+  if (at.slow && at.n <= 200) return 1;
+  const bool near = 2 * at.n <= 3 * at.before;
+  if (near && (at.crowded || at.n > 200)) return 0.5;
+  return at.crowded || at.n <= 200 ? 0.2 : 0.05;
 }
 
 /// The factor of the part of a change, by the tail now and before.
-double shrinking(double now, double before, int n, bool slow, bool crowded) {
-  if (n > 200) return 1;
-  const double least = n < 30 ? 0.2 : crowded ? 0.15 : slow ? 0.05 : 0.02;
-  return std::clamp(15 * now / before, least, slow ? 1.0 : 2.5);
+double shrinking(double now, double before, const Convergence& at) {
+  if (at.n > 200) return 1;
+  const double least = at.n < 30 ? 0.2 : at.crowded ? 0.15 : at.slow ? 0.05 : 0.02;
+  return std::clamp(15 * now / before, least, at.slow ? 1.0 : 2.5);
 }
 
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
 /// a twentieth of the largest of them, or a tenth with a law; C and the creep both have the larger
-/// of theirs, the heat at least a tenth, and the temperature 1.
+/// of theirs, a border at a given creep has that of its parts. Twice that counts; the heat and
+/// the temperature have 1.
 Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& value) {
   const bool no_cold = scene.law && given.quantity == traction;
@@ -62,9 +70,15 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
   share(creep) = std::max(share(creep), share(creep_constant));
   share(creep_constant) = share(creep);
+  if (given.quantity == creep) {
+    const double strain =
+        value(creep_constant) * pi / scene.friction - value(load_ratio) * value(slip_length);
+    for (const Quantity q : {stick_slip_border, slip_length})
+      share(q) = std::clamp(std::abs(strain), share(q), 1.0);
+  }
   share += (scene.law ? 0.1 : 0.05) * share.head(compared - 2).maxCoeff();
-  share(heat_integral) = std::max(share(heat_integral), 0.1);
-  share(max_temperature) = 1;
+  share = (2 * share).min(1.0);
+  share(heat_integral) = share(max_temperature) = 1;
   return share;
 }
 
@@ -73,27 +87,25 @@ Results error_of_rules(const Scene& scene, int n) {
   const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet);
   const double error = 4e-7 * std::exp(-0.53 * (graded_nodes(n) - 28)) * std::min(1.0, strain);
   const double speed = scene.peclet / 10;
-  Results errors = Results::Constant(error / 20 * std::clamp(speed, 0.02, 1.0));
+  Results errors = Results::Constant(error / 8 * std::clamp(speed, 0.02, 1.0));
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
   return errors;
 }
 
-/// Estimated errors, each relative to its scale, on the grid of n unknowns with the tail now and
-/// before, by the change since the previous grid and the share of each quantity in the effects of
-/// heat; slow if convergence is slow, crowded if nodes are moved to the ends.
-Results estimate(const Results& change, const Results& share, double now, double before, int n,
-                 bool slow, bool crowded) {
-  const double part = part_of_change(n, slow, crowded);
-  const double product = part * shrinking(now, before, n, slow, crowded);
+/// Estimated errors, each relative to its scale, on a grid with the tail now and before, by the
+/// change since the previous grid and the share of each quantity in the effects of heat.
+Results estimate(const Results& change, const Results& share, double now, double before,
+                 const Convergence& at) {
+  const double part = part_of_change(at), product = part * shrinking(now, before, at);
   Results error = product * change;
   const double of_one_point = std::min(product, std::clamp(now / before, part / 4, part));
-  if (!slow) error(max_temperature) = of_one_point * change(max_temperature);
-  const double largest = error.head(compared).maxCoeff();
-  const double of_tail = unresolved(now, n, slow, n < 30 ? 20 : 10, slow ? 200 : 30);
+  if (!at.slow) error(max_temperature) = of_one_point * change(max_temperature);
+  const double largest = error.head(compared).maxCoeff(), in_layer = at.slow ? 200 : 30;
+  const double of_tail = unresolved(now, at.n, at.slow, at.n < 30 ? 20 : 10, in_layer);
   error = error.max(share * std::max(largest, of_tail));
-  error(max_temperature) += 12 * std::pow(24 + std::max(n, 20), -6);
-  return error + 2e-15 * n;
+  error(max_temperature) += 12 * std::pow(24 + std::max(at.n, 20), -6);
+  return error + 2e-15 * at.n;
 }
 
 /// After a grid of n unknowns and the one before it, for an estimate that is so many times the
@@ -246,6 +258,12 @@ Results changes(const Scene& scene, const Prescribed& given, const Results& diff
   return change;
 }
 
+double remembered(const Convergence& at, bool bent, bool crossing) {
+  const double coarser = static_cast<double>(at.before) / at.n;
+  if (bent && !crossing) return coarser * coarser;
+  return at.n > 200 || (crossing && !at.slow) ? 0.004 : 0.01;
+}
+
 Refinement refined(const Scene& scene, const Refinement& before, const GridSolution& level,
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
@@ -255,17 +273,16 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const double finer = static_cast<double>(last.h.size()) / n;
-  const double smooth = n > 200 || (level.crossing && !slow) ? 0.004 : 0.01;
-  const double remembered = bent && !level.crossing ? finer * finer : smooth;
+  const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.beta > 0};
+  const double part = remembered(grids, bent, level.crossing.has_value());
   const Results change =
-      changes(scene, given, value - before.value, scale).max(remembered * before.change);
+      changes(scene, given, value - before.value, scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
   const Results small =
       error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at);
-  Results left = estimate(change, share, now, then, n, slow, level.at.beta > 0) + small;
+  Results left = estimate(change, share, now, then, grids) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
     left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + small;
@@ -299,16 +316,25 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
   return level;
 }
 
-CoupledSolution solution_of(const Scene& scene, Formulation formulation, const GridSolution& level,
+double error_of_hottest(const Scene& scene, const GridSolution& level, double estimate,
+                        double tolerance) {
+  const bool by_tail = scene.law || level.at.beta > 0 || converges_slowly(scene, level.at);
+  return std::max(estimate, by_tail ? std::min(tail(level.h), tolerance) : 0);
+}
+
+CoupledSolution solution_of(const Scene& scene, const Approach& approach, const GridSolution& level,
                             const Refinement& found, const std::vector<GridStep>& trace) {
-  const Results error = found.error * scale_in(scene, level.value);
+  Results error = found.error;
+  error(max_temperature) =
+      error_of_hottest(scene, level, error(max_temperature), approach.tolerance);
+  const double of_place = std::sqrt(error(max_temperature));
+  error *= scale_in(scene, level.value);
   const auto n = static_cast<int>(level.h.size());
-  CoupledSolution x{scene,   formulation,      found.value, error, n, level.newton_steps,
-                    level.h, level.violations, trace};
+  CoupledSolution x{scene,   approach.formulation, found.value, error, n, level.newton_steps,
+                    level.h, level.violations,     trace};
   x.beta = level.at.beta;
   const bool where_it_sticks = found.value(max_temperature_at) < level.at.c0();
-  x.error(max_temperature_at) =
-      where_it_sticks ? level.at.stick : level.at.slip * std::sqrt(found.error(max_temperature));
+  x.error(max_temperature_at) = where_it_sticks ? level.at.stick : level.at.slip * of_place;
   if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
   if (level.at.stick == 0 && !scene.law) x.error(traction) = 0;
   add_eccentricity(x.value, x.error);
@@ -412,7 +438,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
         level.crossing->edge_error = std::abs(level.crossing->edge - last.crossing->edge);
       }
       if (worst <= tolerance && same_violations(level.violations, last.violations))
-        return solution_of(scene, approach.formulation, level, found, trace);
+        return solution_of(scene, approach, level, found, trace);
       stalled = n > 64 && worst > 0.5 * best && worst > 100 * tolerance ? stalled + 1 : 0;
     } else {
       level = last;
