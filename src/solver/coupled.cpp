@@ -60,8 +60,7 @@ double shrinking(double now, double before, const Convergence& at) {
 
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
 /// a twentieth of the largest of them, or a tenth with a law; C and the creep both have the larger
-/// of theirs, a border at a given creep has that of its parts. Twice that counts; the heat and
-/// the temperature have 1.
+/// of theirs, and twice that counts; the heat and the temperature have 1.
 Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& value) {
   const bool no_cold = scene.law && given.quantity == traction;
@@ -70,12 +69,6 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
   Results share = ((value - cold) / scale_of(value)).abs().min(1.0);
   share(creep) = std::max(share(creep), share(creep_constant));
   share(creep_constant) = share(creep);
-  if (given.quantity == creep) {
-    const double strain =
-        value(creep_constant) * pi / scene.friction - value(load_ratio) * value(slip_length);
-    for (const Quantity q : {stick_slip_border, slip_length})
-      share(q) = std::clamp(std::abs(strain), share(q), 1.0);
-  }
   share += (scene.law ? 0.1 : 0.05) * share.head(compared - 2).maxCoeff();
   share = (2 * share).min(1.0);
   share(heat_integral) = share(max_temperature) = 1;
@@ -248,16 +241,6 @@ Results error_of_correction(const Results& value, const Results& slope, const Re
   return error;
 }
 
-/// Relative to their scale.
-Results changes(const Scene& scene, const Prescribed& given, const Results& difference,
-                const Results& scale) {
-  Results change = difference.abs() / scale;
-  if (given.quantity == creep) return change;
-  for (const Quantity q : {creep_constant, creep})
-    change(q) = std::max(change(q), scene.friction / pi * change(slip_length) / scale(q));
-  return change;
-}
-
 double remembered(const Convergence& at, bool bent, bool crossing) {
   const double coarser = static_cast<double>(at.before) / at.n;
   if (bent && !crossing) return coarser * coarser;
@@ -275,8 +258,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool bent = scene.law && decays_slowly(last.h, level.h);
   const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.beta > 0};
   const double part = remembered(grids, bent, level.crossing.has_value());
-  const Results change =
-      changes(scene, given, value - before.value, scale).max(part * before.change);
+  const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
