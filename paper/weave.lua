@@ -1140,7 +1140,7 @@ local function chunk_box(piece, open)
     table.insert(notes, "file " .. file_link(piece.file))
   end
   if #chunk.users > 0 then table.insert(notes, "used in " .. joined(chunk.users)) end
-  table.insert(notes, "defined at " .. where(piece))
+  table.insert(notes, "in " .. where(piece))
   if #chunk.pieces > 1 then
     local function step(other, sign, label)
       local html = ' <a href="#%s" aria-label="%s">%s</a>'
@@ -1416,7 +1416,7 @@ local function chunk_index()
     end)
     table.insert(out, string.format("<li>%s<div><code>%s</code>%s%s</div></li>",
       link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name),
-      #places > 1 and " · defined at " .. table.concat(places, ", ") or "",
+      #places > 1 and " · in " .. table.concat(places, ", ") or "",
       chunk.file and " · file " .. file_link(chunk.file) or ""))
   end
   table.insert(out, "</ul>")

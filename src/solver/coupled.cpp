@@ -301,7 +301,7 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
 double error_of_hottest(const Scene& scene, const GridSolution& level, double estimate,
                         double tolerance) {
   const bool by_tail = scene.law || level.at.beta > 0 || converges_slowly(scene, level.at);
-  return std::max(estimate, by_tail ? std::min(tail(level.h), tolerance) : 0);
+  return std::max(estimate, by_tail ? std::min(tail(level.h), 0.9 * tolerance) : 0);
 }
 
 CoupledSolution solution_of(const Scene& scene, const Approach& approach, const GridSolution& level,

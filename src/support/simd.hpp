@@ -24,11 +24,12 @@ inline void store(const Pack& x, double* to) {
 inline double sum_of(const Pack4& x) { return (x[0] + x[1]) + (x[2] + x[3]); }
 [[gnu::always_inline]] inline void sums_of(const Pack4* x, Pack4& sums) {
   Pack4 pairs[2];
-  for (int i = 0; i < 2; ++i, x += 2)
-    pairs[i] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6) +
-               __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-  sums = __builtin_shufflevector(pairs[0], pairs[1], 0, 1, 4, 5) +
-         __builtin_shufflevector(pairs[0], pairs[1], 2, 3, 6, 7);
+  for (int i = 0; i < 2; ++i) {
+    const Pack4 &a = x[2 * i], &b = x[2 * i + 1];
+    pairs[i] = Pack4{a[0], b[0], a[2], b[2]} + Pack4{a[1], b[1], a[3], b[3]};
+  }
+  sums = Pack4{pairs[0][0], pairs[0][1], pairs[1][0], pairs[1][1]} +
+         Pack4{pairs[0][2], pairs[0][3], pairs[1][2], pairs[1][3]};
 }
 
 /// 1/13!, 1/12! ... 1/2!

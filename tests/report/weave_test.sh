@@ -593,7 +593,7 @@ int d;
 See @lst:part.
 END
   expect '⟨A part of x 2⟩part 1 of 2 ↓' '⟨A part of x 2⟩part 2 of 2 ↑' 'used in ⟨The file 1⟩' \
-    'file src/a.cpp · defined at one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
+    'file src/a.cpp · in one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
     'src/a.cpp 4 lines from one.md'
   expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
     '<details class="expand" style="--indent:2"><summary><a href="#lst:inner">' '  <a href="#lst:part">'
@@ -756,7 +756,7 @@ END
   printf 'two.md:%s\n' '9: missing chunk <<nowhere>>' '5: unknown reference @eq:nowhere' | diff - errors || fail "other mistakes"
   local text
   text=$(sed '1,/<article/d; s/<[^>]*>//g; s/\xc2\xa0/ /g' page.html | tr -s '\n ' ' ')
-  [ "$text" = ' 2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere>> used in ⟨src/a.cpp 1⟩ · defined at two.md:8 ' ] ||
+  [ "$text" = ' 2 Second b (2) See Eq. (1), Eq. (2) and in Section 2 after Section 1. ⟨part 2⟩ int b; &lt;&lt;nowhere>> used in ⟨src/a.cpp 1⟩ · in two.md:8 ' ] ||
     fail "the page: $text"
 }
 
