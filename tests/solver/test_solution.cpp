@@ -865,7 +865,7 @@ TEST(Solution, ErrorOfATemperatureIncludesThatOfTheFlux) {
 
 // The curve is that of the flux on the last grid, whose largest temperature is then corrected for
 // what is left of the prescribed quantity. In one of the scenes the correction is larger than the
-// error of the result; in the last one the nodes are moved to the ends. Elsewhere the curve is held
+// error of the result; in the last two the nodes are moved to the ends. Elsewhere the curve is held
 // against that of a tenth of the tolerance.
 TEST(Solution, ErrorOfATemperatureIncludesTheLastCorrection) {
   struct Given {
