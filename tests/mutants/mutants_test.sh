@@ -16,6 +16,16 @@ ListFitsTheSources() {
   done
 }
 
+# All mutants are compiled into one program, so one that is no C++ would stop them all.
+EveryMutantCompiles() { # for a release
+  cp -r src "$work/new"
+  perl tests/mutants/inject.pl tests/mutants/list src "$work/new" >"$work/table"
+  cd "$work/new"
+  cut -f2 "$work/table" | tr ';' '\n' | grep '\.cpp$' | sort -u |
+    xargs -P "$(nproc)" -I{} g++ -std=c++20 -w -fsyntax-only -include filesystem -I. -Iinclude -I/usr/include/eigen3 {} \
+      2>"$work/errors" || { grep error "$work/errors" >&2; fail "see above"; }
+}
+
 # A project of one program, one test and the mutants that are in a list.
 small_project() {
   cp --parents tests/mutants/run.sh tests/mutants/inject.pl "$work"
