@@ -808,11 +808,12 @@ TEST(Coupled, MovedEndsAgreeWithPlainOnes) {
   EXPECT_EQ(beta(1e4, 1), 0) << "layers that are not short";
 }
 
-// In each of these one rule of the estimate is what makes it hold: the whole change in slow scenes,
-// more for the tail on coarse grids, more for a large tail, and the change of the largest
-// temperature; in two, the nodes that the stick zone has more of beside a short slip zone; in the
-// last ones, twenty unknowns on the first fine grid, the logarithm in a temperature, the larger
-// parts of a change with moved ends, and the graded nodes that they have more.
+// In each of these one rule of the estimate was what made it hold, before shares were doubled: the
+// whole change in slow scenes, more for the tail on coarse grids, more for a large tail, and the
+// change of the largest temperature; in two, the nodes that the stick zone has more of beside a
+// short slip zone; in the last ones, twenty unknowns on the first fine grid, the logarithm in a
+// temperature, the larger parts of a change with moved ends, and the graded nodes that they have
+// more.
 TEST(Coupled, EveryRuleOfTheEstimateIsNeeded) {
   using enum Quantity;
   constexpr Formulation printed = Formulation::printed, corrected = Formulation::corrected;
