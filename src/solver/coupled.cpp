@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <complex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -84,6 +85,17 @@ Results error_of_rules(const Scene& scene, int n) {
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
   return errors;
+}
+
+/// As a part of the share of heat, on a grid of n unknowns.
+double error_of_leading_edge(const ZoneLengths& at, int n) {
+  const double eps = at.stick / at.slip;
+  const std::complex<double> u(0, std::sqrt(eps / 3));
+  std::complex<double> y = (std::sqrt(9.0 + 1056.0 * u) - 3.0) / 24.0 - 1.0;
+  if (at.beta > 0) y = std::atanh(y * std::tanh(at.beta)) / at.beta;
+  const std::complex<double> root = std::sqrt(y * y - 1.0);
+  const double rho = std::max(std::abs(y + root), std::abs(y - root));
+  return 10 * std::sqrt(eps) * std::pow(rho, -2 * n);
 }
 
 /// Estimated errors, each relative to its scale, on a grid with the tail now and before, by the
@@ -262,8 +274,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
-  const Results small =
-      error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at);
+  const Results small = error_of_rules(scene, n) +
+                        error_of_correction(value, slope, corrected, level.at) +
+                        error_of_leading_edge(level.at, n) * share.min(share.head(compared - 2).maxCoeff());
   Results left = estimate(change, share, now, then, grids) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)

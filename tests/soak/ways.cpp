@@ -179,6 +179,11 @@ void examine_law(const Record& record, const GivenScene& given) {
   thermoroll_scene scene = in_c(given);
   const thermoroll_result found = answer_in_c(scene);
   if (found.status != THERMOROLL_DONE) return;
+  const double creep = found.physical.creep_ratio;
+  // With the sign as printed heat may turn the creep against the traction, and a law of creeps has
+  // the solution that pulls with this creep.
+  if (creep * found.physical.tangential_load < 0 && given.approach.formulation == Formulation::printed)
+    return record.beside("a law", "the creep is against the traction");
   scene.tolerance = 1e-3;
   thermoroll_law_info info{};
   info.size = sizeof info;
@@ -186,7 +191,6 @@ void examine_law(const Record& record, const GivenScene& given) {
   if (law == nullptr) return record.beside("a law", thermoroll_message(info.status));
   thermoroll_law_value at{};
   at.size = sizeof at;
-  const double creep = found.physical.creep_ratio;
   const int status = thermoroll_law_evaluate(law, &creep, &at, 1);
   thermoroll_law_free(law);
   if (status != THERMOROLL_DONE) return record.beside("a law", "ends before the scene");

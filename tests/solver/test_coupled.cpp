@@ -697,6 +697,29 @@ TEST(Coupled, TheNextGridIsPredicted) {
   EXPECT_GE(predicted, 9);
 }
 
+// A stick zone of less than a hundredth of the slip zone has errors of quadrature that fall slowly
+// with the unknowns, and that neither the coefficients of h nor two grids need show. The last scene
+// is one of the soak, in which the load ratio of 10 and 20 unknowns agrees to 2e-10 and is off by
+// 4e-9.
+TEST(Coupled, ErrorOfAShortStickZoneIsCounted) {
+  const auto off = [](const thermoroll::Scene& scene, const Prescribed& given, double tolerance) {
+    const auto solved = [&](double to) {
+      return solve_coupled(scene, {Formulation::corrected, to}, given);
+    };
+    return excess(solved(tolerance), solved(1e-11));
+  };
+  for (const double stick : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8})
+    for (const double peclet : {0.03, 3.0, 300.0})
+      EXPECT_LE(off({0.5, peclet, 1e-3}, {Quantity::stick_slip_border, -1 + stick}, 1e-3), 1)
+          << stick << ' ' << peclet;
+  const thermoroll::Scene slow{1.251203384366447,
+                               0.030217398659847697,
+                               0.006740150259306792,
+                               {0.014878217957444175, 0.010454269145000071},
+                               thermoroll::Direction::braking};
+  EXPECT_LE(off(slow, {Quantity::stick_slip_border, -0.9998667045662204}, 2.5e-4), 1);
+}
+
 // The first grid whose error can be told has 20 to 25 unknowns, or 30, the more the effect of heat
 // and the digits are; without heat it has 20. The steel wheel needs no other grid than 30 for 1e-6.
 TEST(Coupled, FirstFineGridFollowsTheEffectOfHeat) {
