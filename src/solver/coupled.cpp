@@ -274,9 +274,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
-  const Results small = error_of_rules(scene, n) +
-                        error_of_correction(value, slope, corrected, level.at) +
-                        error_of_leading_edge(level.at, n) * share.min(share.head(compared - 2).maxCoeff());
+  const Results small =
+      error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at) +
+      error_of_leading_edge(level.at, n) * share.min(share.head(compared - 2).maxCoeff());
   Results left = estimate(change, share, now, then, grids) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)

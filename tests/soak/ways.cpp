@@ -182,7 +182,8 @@ void examine_law(const Record& record, const GivenScene& given) {
   const double creep = found.physical.creep_ratio;
   // With the sign as printed heat may turn the creep against the traction, and a law of creeps has
   // the solution that pulls with this creep.
-  if (creep * found.physical.tangential_load < 0 && given.approach.formulation == Formulation::printed)
+  if (creep * found.physical.tangential_load < 0 &&
+      given.approach.formulation == Formulation::printed)
     return record.beside("a law", "the creep is against the traction");
   scene.tolerance = 1e-3;
   thermoroll_law_info info{};
