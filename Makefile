@@ -288,7 +288,7 @@ build/data/evaluations.csv: build/release/thermoroll-count | build/data
 drawn_from_times := $(filter build/figures/cost.svg build/figures/speed.svg build/figures/speed-%,$(figure_files))
 build/data/times.json: build/thermoroll-bench | build/data/claims.txt $(data_files) $(counted_files) $(recipe_files) \
     $(filter-out $(drawn_from_times),$(figure_files))
-	$(call step,timing the methods)
+	$(call step,timing the methods for half a minute)
 	@build/thermoroll-bench --benchmark_min_time=0.01 --benchmark_repetitions=3 \
 	  --benchmark_format=json >$@.tmp 2>build/bench.log || { cat build/bench.log; exit 1; }
 	@mv $@.tmp $@
