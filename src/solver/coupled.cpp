@@ -93,7 +93,7 @@ double error_of_leading_edge(const ZoneLengths& at, int n) {
   const std::complex<double> u(0, std::sqrt(eps / 3));
   std::complex<double> y = (std::sqrt(9.0 + 1056.0 * u) - 3.0) / 24.0 - 1.0;
   if (at.beta > 0) y = std::atanh(y * std::tanh(at.beta)) / at.beta;
-  const std::complex<double> root = std::sqrt(y * y - 1.0);
+  const auto root = std::sqrt(y * y - 1.0);
   const double rho = std::max(std::abs(y + root), std::abs(y - root));
   return 10 * std::sqrt(eps) * std::pow(rho, -2 * n);
 }
