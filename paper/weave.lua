@@ -106,7 +106,7 @@ local function inlines_of(markdown)
 end
 
 --- A test's name, which a phone may break before a capital.
-local function breakable(name) return (escape(name):gsub("([%l.])(%u)", "%1<wbr />%2")) end
+local function breakable(name) return (escape(name):gsub("([%l.])(%u)", "%1<wbr/>%2")) end
 
 --- The HTML that `make` gives for this source; from build/ where that has it, as an edit of the prose
 --- changes no colour and no drawing.

@@ -87,15 +87,15 @@ Results error_of_rules(const Scene& scene, int n) {
   return errors;
 }
 
-/// As a part of the share of heat, on a grid of n unknowns.
+/// The error of quadrature near the leading edge, on a grid of n unknowns; times the share of heat.
 double error_of_leading_edge(const ZoneLengths& at, int n) {
   const double eps = at.stick / at.slip;
   const std::complex<double> u(0, std::sqrt(eps / 3));
   std::complex<double> y = (std::sqrt(9.0 + 1056.0 * u) - 3.0) / 24.0 - 1.0;
   if (at.beta > 0) y = std::atanh(y * std::tanh(at.beta)) / at.beta;
   const auto root = std::sqrt(y * y - 1.0);
-  const double rho = std::max(std::abs(y + root), std::abs(y - root));
-  return 10 * std::sqrt(eps) * std::pow(rho, -2 * n);
+  const double semi_axes = std::max(std::abs(y + root), std::abs(y - root));
+  return 10 * std::sqrt(eps) * std::pow(semi_axes, -2 * n);
 }
 
 /// Estimated errors, each relative to its scale, on a grid with the tail now and before, by the

@@ -628,7 +628,7 @@ END
     '-R B.Shell Shell() { true } # tests/a/b_test.py:' '-R B.Python def Python(x): assert x assert not False # tests/a/whole.sh:' \
     '-R C.Whole # All of it. true # tests/a/CMakeLists.txt:' '-R Dd.Command add_test(NAME Dd.Command COMMAND true) // tests/a/bytes.cpp:' \
     '-R Fuzz.Bytes // Any bytes. int LLVMFuzzerTestOneInput() {}'
-  expect_html 'href="#test:A.One"><code>A.One</code></a>' 'href="#test:A.Two"><code>A.<wbr />Two</code></a>' 'id="test:A.One"' 'EXPECT_LT(1, 2);'
+  expect_html 'href="#test:A.One"><code>A.One</code></a>' 'href="#test:A.Two"><code>A.<wbr/>Two</code></a>' 'id="test:A.One"' 'EXPECT_LT(1, 2);'
   [ "$(grep -o 'id="test:[^"]*"' page.html | sort | uniq -d | wc -l)" = 0 ] || fail "a test is folded twice"
 }
 

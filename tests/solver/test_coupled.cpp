@@ -718,6 +718,10 @@ TEST(Coupled, ErrorOfAShortStickZoneIsCounted) {
                                {0.014878217957444175, 0.010454269145000071},
                                thermoroll::Direction::braking};
   EXPECT_LE(off(slow, {Quantity::stick_slip_border, -0.9998667045662204}, 2.5e-4), 1);
+  const Prescribed border{Quantity::stick_slip_border, -1 + 1e-7};  // nodes are moved to the edge
+  const auto moved = solve_coupled({0.6, 1e5, 2}, {Formulation::corrected, 1e-6}, border);
+  EXPECT_LE(moved.unknowns, 120);
+  EXPECT_LE(off({0.6, 1e5, 2}, border, 1e-6), 1);
 }
 
 // The first grid whose error can be told has 20 to 25 unknowns, or 30, the more the effect of heat
