@@ -95,21 +95,21 @@ TEST(Study, SampleIsOfTheseScenes) {
 
 // Neither the tail nor a change shows the errors of scene 504 due to a layer that the stick nodes
 // do not resolve, of 2758 due to the graded rules, of 1444 due to the logarithm in the largest
-// temperature, of 1481 due to the last correction, and of 3508, where heat changes the
-// creep less than both of its parts, and the whole heat less than the flux. In 400 the forces are
-// Carter's but for some millionths, and so are their errors those of the heat. In 5933, with a law,
-// the border and the slip length have up to twice the error that is stated.
+// temperature, of 5691 due to the last correction, of 2851 due to layers of the heat that crosses,
+// of 892, which is slow, in the largest temperature, and of 3508, where heat changes the creep less
+// than both of its parts, and the whole heat less than the flux. In 5933, with a law, the border is
+// off by nearly as much as is stated. In 400 the forces are Carter's but for some millionths, and
+// so are their errors those of the heat.
 TEST(Study, ErrorsThatTailsDoNotShowAreCounted) {
   const auto solved = [](const thermoroll::StudyScene& x, double tolerance) {
     return thermoroll::solve_coupled(x.scene, {thermoroll::Formulation::corrected, tolerance},
                                      x.given);
   };
-  for (const int number : {504, 2758, 1444, 1481, 3508, 5933, 400}) {
+  for (const int number : {504, 2758, 1444, 5691, 2851, 892, 3508, 5933, 400}) {
     const thermoroll::StudyScene x = thermoroll::study_scene(number);
-    const auto found = solved(x, x.tolerance), better = solved(x, 1e-11);
+    const auto found = solved(x, x.tolerance), better = solved(x, 1e-10);
     for (int i = 0; i < thermoroll::compared; ++i)
-      EXPECT_LE(std::abs(found.value[i] - better.value[i]),
-                (number == 5933 && i < 2 ? 2 : 1) * found.error[i] + better.error[i])
+      EXPECT_LE(std::abs(found.value[i] - better.value[i]), found.error[i] + better.error[i])
           << number << ' ' << i;
     if (number != 400) continue;
     const thermoroll::Results relative = found.error / thermoroll::scale_in(x.scene, found.value);
