@@ -161,11 +161,14 @@ void say_what_is_unused(const SceneOptions& o) {
                  scheme ? "--tolerance" : "--nodes", method.c_str());
 }
 
+void print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
+}
+
 void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const SceneOptions& o) {
   require_contact(x);
-  if (physical)
-    for (const std::string& note : physical->notes)
-      std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
+  if (physical) print_notes(physical->notes);
   say_what_is_unused(o);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
@@ -262,6 +265,7 @@ struct AllCreeps {
   Scene scene;
   Formulation formulation;
   std::optional<LawUnits> units;
+  std::optional<PhysicalScene> physical;
 };
 
 AllCreeps read_all_creeps(SceneOptions o) {
@@ -270,11 +274,11 @@ AllCreeps read_all_creeps(SceneOptions o) {
         "a creep curve in SI units needs --half-width: from a radius it would differ along it");
   o.creep = 1;  // or any other
   const GivenScene c = read_scene(o);
-  if (!c.physical) return {c.scene, c.approach.formulation, {}};
+  if (!c.physical) return {c.scene, c.approach.formulation, {}, {}};
   check(*c.physical);
   const double friction = c.scene.friction;
-  return {scene_of(*c.physical, friction), c.approach.formulation,
-          law_units(*c.physical, friction)};
+  return {scene_of(*c.physical, friction), c.approach.formulation, law_units(*c.physical, friction),
+          c.physical};
 }
 
 constexpr double law_tolerance = 1e-4;
@@ -284,6 +288,7 @@ void run_law(const Options& o) {
   const CreepLaw law =
       creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance));
   deliver({{law_text(law, c.scene, c.units, value_of(language_names, o.language)), o.output}});
+  if (c.physical) print_notes(notes_on(*c.physical, 0, 0));
 }
 
 /// An end in the unit of its option, if it is given.
@@ -321,6 +326,17 @@ double bound(const CurveEnd& end, double creep, const LawHalf& half) {
   return creep;
 }
 
+std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<double>& creeps,
+                                     const LawUnits& units, const PhysicalScene& si) {
+  double creep = 0, rise = 0;
+  for (const double x : creeps) {
+    creep = std::max(creep, std::abs(x) * units.creep);
+    if (const auto at = evaluate(law, x))
+      rise = std::max(rise, at->temperature * units.temperature);
+  }
+  return notes_on(si, creep, rise);
+}
+
 void run_creep_curve(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   check(c.scene);
@@ -339,6 +355,7 @@ void run_creep_curve(const Options& o) {
   const CurveRange range{bound(first_end, from, first), bound(last_end, to, last), o.points};
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
+  if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));
 }
 
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& names) {
@@ -624,7 +641,7 @@ piecewise-linear, whose floor may be above 1; where theta < 0 it is f. For linea
 --friction-temperature makes friction rise.
 Temperatures in degree C are rises over the bulk temperature, but contact_temperature_celsius and
 absolute_temperature_celsius, which are there where --bulk-temperature is given. The force Q in N/m
-is tangential_load everywhere, and traction is Q over the load. Unless --roller says otherwise, all heat goes into
+is tangential_load, in JSON and CSV of solve below physical, and traction is Q over the load. Unless --roller says otherwise, all heat goes into
 one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:

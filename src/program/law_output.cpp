@@ -92,9 +92,9 @@ std::string told(const CreepLaw& law, const Scene& scene, const std::optional<La
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
                           "largest rise in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
-  text += mark + "Errors: of the traction " + shortest(law.traction_error * unit.traction) +
-          ", of the temperature " + shortest(law.temperature_error * unit.temperature) + ",\n" +
-          mark + "in full slip times the creep over that at which the stick zone vanishes.\n";
+  text += mark + "Errors: of the traction " + rounded(law.traction_error * unit.traction, 2) +
+          ", of the temperature " + rounded(law.temperature_error * unit.temperature, 2) + ";\n" +
+          mark + "in full slip the latter grows like the creep from where all slips on.\n";
   for (const LawHalf* half : {&law.driving, &law.braking}) {
     text += mark + (half == &law.driving ? "Driving" : "Braking");
     text += half->reason.empty() ? " has no end.\n"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -195,6 +196,7 @@ Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution ne
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
   Results last = derivative(top.local, 0, top.rho);
   const LocalCurve coarse = top.local;
+  double reached = std::numeric_limits<double>::infinity();
   for (int n = std::max(24, unknowns_after(curve.n)); n > curve.n; n = unknowns_after(n)) {
     curve.n = n;
     const bool alone = n >= 60 || tolerance < 1e-7;
@@ -213,13 +215,17 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
         part * (now - last).abs() + bend * derivative(top.local, 1, top.rho).abs();
     const bool smooth = alone || !decays_slowly(level.h, points[0].solution.h);
     const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
-    if (smooth && std::max(error(traction), rest) < tolerance)
+    const double worst = smooth ? std::max(error(traction), rest) : 1;
+    reached = std::min(reached, worst);
+    if (worst < tolerance)
       return {now(traction), now(creep), std::max(error(traction), tolerance / 10),
               std::max(error(creep), tolerance / 10 * now(creep))};
     last = now;
     level = points[0].solution;
   }
-  throw NotResolved("coupled: the largest traction is not resolved to " + shortest(tolerance), {});
+  throw NotResolved(
+      "coupled: the largest traction is not resolved to " + shortest(tolerance) + at_best(reached),
+      {});
 }
 
 /// The index of the second of two points about the traction on a branch; 0 if there are none.

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -237,6 +238,7 @@ double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
 int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   if (scene.bulk_difference != 0) return edge_unknowns(scene);
   const int by_digits = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
+  if (coarse.crossing) return std::max(by_digits, 15);
   const bool plain = !scene.law && !is_unlike(scene) && coarse.at.beta == 0;
   if (!plain || coarse.h.size() != 10) return by_digits;
   const VectorXd cold = carter_h(coarse.at, scene.friction);
@@ -286,9 +288,20 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
-    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share);
+    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + small;
   }
   return {value, change, left + rounding(given, slope, scale)};
+}
+
+void add_errors_of_crossing(const Scene& scene, const GridSolution& last, GridSolution& level) {
+  CrossingHeat& now = *level.crossing;
+  now.heat_error = std::abs(now.heat - last.crossing->heat);
+  now.edge_error = std::abs(now.edge - last.crossing->edge);
+  const auto bulk = bulk_exchange(scene, level.h.size());
+  if (!bulk) return;
+  const double part = tail(bulk->flux), size = std::abs(scene.bulk_difference);
+  now.heat_error += size * part / 100 * std::abs(bulk->heat);
+  now.edge_error += size * (part + 2e-9) * std::abs(bulk->edge);
 }
 
 GridSolution at_predicted_border(const Scene& scene, Formulation formulation, int n,
@@ -380,7 +393,8 @@ Carter carter_given(double friction, const Prescribed& given) {
   if (given.quantity == traction) return carter(friction, given.value);
   const bool by_border = given.quantity == stick_slip_border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
-  require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
+  require(half < 1, by_border ? "stick-slip-border" : "creep", given.value,
+          by_border ? "further from -1" : "below 2 f / pi, where the whole contact slips");
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
 }
@@ -414,6 +428,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
   const double tolerance = approach.tolerance;
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Refinement found{carried_over(level, given, slope)};
+  double reached = std::numeric_limits<double>::infinity();
   std::vector<GridStep> trace{step_of(level)};
   int n = std::max(3 * static_cast<int>(level.h.size()) / 2, least_unknowns(scene, digits, level));
   for (int stalled = 0; stalled < 2;) {
@@ -428,12 +443,11 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
     if (level.newton_steps > 0) {
       trace.back().change = found.change.head(compared).maxCoeff();
       trace.back().estimate = worst;
-      if (level.crossing && last.crossing) {
-        level.crossing->heat_error = std::abs(level.crossing->heat - last.crossing->heat);
-        level.crossing->edge_error = std::abs(level.crossing->edge - last.crossing->edge);
+      if (level.crossing && last.crossing) add_errors_of_crossing(scene, last, level);
+      if (same_violations(level.violations, last.violations)) {
+        if (worst <= tolerance) return solution_of(scene, approach, level, found, trace);
+        reached = std::min(reached, worst);
       }
-      if (worst <= tolerance && same_violations(level.violations, last.violations))
-        return solution_of(scene, approach, level, found, trace);
       stalled = n > 64 && worst > 0.5 * best && worst > 100 * tolerance ? stalled + 1 : 0;
     } else {
       level = last;
@@ -444,8 +458,14 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
   const bool only_verdict = found.worst() <= tolerance;
   throw NotResolved((only_verdict ? "coupled: whether it is a contact is not resolved"
                                   : "coupled: not resolved to " + shortest(tolerance)) +
-                        " with " + std::to_string(n) + " unknowns",
+                        " with " + std::to_string(n) + " unknowns" + at_best(reached),
                     trace);
+}
+
+std::string at_best(double error) {
+  if (!(error < 1)) return "";
+  const double unit = std::pow(10, std::floor(std::log10(error)));
+  return ", at best to " + rounded(unit * std::ceil(error / unit), 1);
 }
 
 CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,

@@ -418,13 +418,13 @@ BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation form
 NoSlip no_slip(const Scene& scene, double tolerance) {
   NoSlip now;
   if (scene.bulk_difference == 0) return now;
-  for (int n = 10; n <= 160; n *= 2) {
-    const NoSlip last = now, rest = bulk_on(scene, n + 20)->rest;
+  for (int more = 0; more <= 140; more = 2 * more + 20) {
+    const NoSlip last = now, rest = bulk_on(scene, edge_unknowns(scene) + more)->rest;
     now.traction = scene.bulk_difference * rest.traction;
     now.creep = scene.bulk_difference * rest.creep;
     now.traction_error = std::abs(now.traction - last.traction);
     now.creep_error = std::abs(now.creep - last.creep);
-    if (std::max(now.traction_error, now.creep_error) < tolerance * std::abs(now.creep)) break;
+    if (std::max(now.traction_error, now.creep_error) <= tolerance * std::abs(now.creep)) break;
   }
   return now;
 }

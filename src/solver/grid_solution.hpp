@@ -90,6 +90,9 @@ Eigen::ArrayXd exchanged_heat_flux(const CoupledSolution& x, const Eigen::ArrayX
 /// The solution on a grid of n unknowns, from that of a coarser one.
 using NextGrid = std::function<GridSolution(int n, const GridSolution& last)>;
 
+/// The end of a refusal's message for the least error that was reached; nothing from 1 on.
+std::string at_best(double error);
+
 /// Refine a coarse solution, grid by grid, until the estimated error is below the tolerance; slope
 /// is the derivative of all quantities with respect to the given one. Throws NotResolved.
 CoupledSolution refine(const Scene& scene, const Approach& approach, const Prescribed& given,

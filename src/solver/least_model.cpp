@@ -46,7 +46,8 @@ HottestPoint fast_limit(const ZoneLengths& at, double friction, double peclet) {
 
 const GaussLegendre& graded_nodes(double tolerance, double lambda) {
   const double digits = std::ceil(-std::log10(tolerance));
-  return rounded_up(8, 8 + static_cast<int>(std::ceil(7 * digits + 3 * decades_beyond(lambda))));
+  const double nodes = 8 + std::ceil(7 * digits + 3 * decades_beyond(lambda));
+  return rounded_up(8, static_cast<int>(std::min(nodes, most_unknowns + 24.0)));
 }
 
 /// The hottest point for Carter's heat, to a tenth of the tolerance.

@@ -42,7 +42,7 @@ inline int stick_nodes(int n, const ZoneLengths& at, double layer) {
   return n > 64 ? std::min(n, all) : all;
 }
 
-/// Nodes of a graded rule on a grid of n unknowns; coarse grids only lead to finer ones.
+/// Nodes of a graded rule on a grid of n unknowns; those of coarse grids are fewer.
 inline int graded_nodes(int n) { return n <= 12 ? 20 : std::max(28, (n + 7) / 4 * 4); }
 
 /// Nodes of a graded rule for temperatures: the more the faster the slip zone, lambda, is.
@@ -52,7 +52,7 @@ inline int temperature_nodes(int n, double lambda) {
 }
 
 /// The length of the layer beside the border that the stick nodes resolve; 2, the whole contact, on
-/// the coarse grids that only lead to finer ones.
+/// coarse grids.
 inline double layer_ahead(int n, double peclet) { return n <= 12 ? 2 : 30 / std::min(peclet, 1e6); }
 
 /// The rules of a grid of n unknowns: nodes of both zones, of graded rules, which large H

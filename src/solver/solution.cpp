@@ -355,8 +355,8 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
   for (const auto& [name, value, most, meaning] : limits) {
     if (!(value > most)) continue;
     notes.push_back(std::string(name) + " = " + rounded(value, 3) + " is above " +
-                    rounded(most, 4) + " (" + meaning +
-                    "): are all data in SI units and none in GPa or mm?");
+                    rounded(most, 4) + " (" + meaning + "): are all data in SI units and " +
+                    (name == limits[1].name ? "creeps no percentages?" : "none in GPa or mm?"));
   }
   return notes;
 }
@@ -409,6 +409,17 @@ FoundPeaks peaks(const Solution& x) {
   FoundPeaks found = peaks_turned(x);
   found.value.traction *= sign_of(x.scene.direction);
   return found;
+}
+
+std::vector<std::string> notes_on(const PhysicalScene& si, double creep_ratio, double rise) {
+  PhysicalResults x{};
+  const double hertz = hertz_half_width(si.load, 1, si.shear_modulus, si.poisson);
+  x.half_width = si.half_width;
+  x.half_width_over_radius = hertz * hertz / si.half_width;
+  x.hertz_pressure = 2 * si.load / (pi * si.half_width);
+  x.creep_ratio = creep_ratio;
+  x.max_temperature_celsius = rise;
+  return beyond_the_model(x, si);
 }
 
 Prescribed dimensionless(const PhysicalScene& si, const Prescribed& given, CreepUnit unit) {

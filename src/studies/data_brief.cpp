@@ -53,7 +53,7 @@ void values_in_brief(nlohmann::ordered_json& v) {
     const double cold = carter_creep_curve(paper::friction, creeps[i] * full_slip);
     most = std::max(most, std::abs(tractions[i] - cold / paper::friction));
   }
-  v["brief_distortion"] = fixed(100 * most, 1);
+  v["brief_distortion"] = fixed(std::ceil(1000 * most) / 10, 1);
   v["brief_one"] =
       fixed(100 * paper::largest_traction(paper::wheel(false, true)).traction / paper::friction, 0);
   v["brief_two"] =

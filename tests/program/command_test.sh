@@ -889,6 +889,21 @@ NotesOnDataBeyondTheModel() {
   ! grep -q '"notes"' out || fail "notes without data in SI units: $(cat out)"
 }
 
+# So does a creep curve, for the largest creep and rise of its rows, and a law for its data.
+NotesOnCreepCurves() {
+  local wheel=("${steel[@]}" --half-width 5.5e-3)
+  run creep-curve "${wheel[@]}" --from-ratio 0 --to-ratio 0.9 --points 3
+  [ $status -eq 0 ] && [ "$(wc -l <err)" -eq 2 ] || fail "status $status: $(cat err)"
+  grep -q '^thermoroll: note: creep_ratio = 0.9 is above 0.1 .*: are all data in SI units and creeps no percentages?$' err || fail "$(cat err)"
+  grep -q '^thermoroll: note: max_temperature_celsius = [0-9.e+]* is above 1500 ' err || fail "$(cat err)"
+  run creep-curve "${wheel[@]}" --from-ratio 0 --to-ratio 0.005 --points 3
+  [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
+  run law "${wheel[@]}" --format json
+  [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
+  run law "${steel[@]}" --half-width 5.5 --format json
+  grep -q '^thermoroll: note: half_width = 5.5 is above 0.1 ' err || fail "$(cat err)"
+}
+
 # A radius and the half-width found for it are the same scene.
 RadiusAgreesWithHalfWidth() {
   local method radius

@@ -430,6 +430,41 @@ TEST(Exchange, TheInsulatorIsTheLimitAtFixedHeatCapacity) {
 
 // The strain at high speed is that of the leading edge's flux, cut off at the trailing edge; the
 // next terms are of the order of 1 / sqrt(Pe), with factors of order one.
+// The grids of loose tolerances share the flux of the bulk difference: its amplitude at the edge
+// has an error nevertheless. The fluxes of a few unknowns more or less agree on the state without
+// slip, but do not resolve it.
+TEST(Exchange, ASharedFluxHasAnError) {
+  Scene fast{0.6, 1e8, 0.01, {2, 0.02, 100}}, slow{0.6, 1e4, 0.01, {2, 0.02, 333}};
+  for (Scene* scene : {&fast, &slow}) {
+    scene->bulk_difference = 1e-4;
+    const Prescribed border{Quantity::stick_slip_border, -0.5};
+    const auto at = [&](double tolerance) {
+      return *solve_coupled(*scene, {Formulation::corrected, tolerance}, border).crossing;
+    };
+    const CrossingHeat loose = at(1e-2), tight = at(1e-6);
+    EXPECT_GT(loose.edge_error, 0);
+    EXPECT_LE(std::abs(loose.edge - tight.edge), loose.edge_error);
+    const NoSlip rest = no_slip(*scene, 1e-2), better = no_slip(*scene);
+    EXPECT_LE(std::abs(rest.creep - better.creep), rest.creep_error);
+    EXPECT_LE(std::abs(rest.traction - better.traction), rest.traction_error);
+  }
+}
+
+// Two grids of six and ten unknowns have the same stick nodes, and agree on what these miss.
+TEST(Exchange, TwoDigitsHaveTheirErrors) {
+  const Scene scene{0.428, 42.53, 0.3, {1.13, 0.5, 0.8506}};
+  for (const Prescribed& given : {Prescribed{Quantity::traction, 0.00276488},
+                                  {Quantity::creep, 1e-3},
+                                  {Quantity::creep, 1e-4}}) {
+    const auto to = [&](double tolerance) {
+      return solve_coupled(scene, {Formulation::corrected, tolerance}, given);
+    };
+    const CoupledSolution loose = to(1e-2), tight = to(1e-9);
+    for (int i = 0; i < compared; ++i)
+      EXPECT_LE(std::abs(loose.value[i] - tight.value[i]), loose.error[i] + tight.error[i]) << i;
+  }
+}
+
 TEST(Exchange, NoSlipAtHighSpeed) {
   for (const double peclet : {1e2, 1e3, 1e4}) {
     Scene scene{0.6, peclet, 0.5, {1, 0.5}};

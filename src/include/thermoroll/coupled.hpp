@@ -130,7 +130,8 @@ struct CoupledSolution {
 };
 
 /// Traction and creep without slip, with their signs: only those of a bulk difference.
-/// Their errors are estimated, and below the tolerance times the creep if 160 nodes resolve them.
+/// Their errors are estimated, and at most the tolerance times the creep if the flux of 170
+/// unknowns, or of up to 260 at high speed, resolves them.
 struct NoSlip {
   double traction = 0, creep = 0, traction_error = 0, creep_error = 0;
 };
@@ -168,9 +169,10 @@ Carter carter_given(double friction, const Prescribed& given);
 /// approach, whatever its method, until the estimated error of every quantity is below
 /// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0,
 /// relative for creep_constant, creep, heat_integral and max_temperature; that of
-/// max_temperature_at is the length of the slip zone times the root of it. A creep at which the
-/// whole contact slips has the border -1. Throws std::invalid_argument for data out of range,
-/// std::runtime_error if no solution is found, NotResolved if the tolerance is not met.
+/// max_temperature_at is the length of the slip zone times the root of it, or the length of the
+/// stick zone if the hottest point is there. A creep at which the whole contact slips has the
+/// border -1. Throws std::invalid_argument for data out of range, std::runtime_error if no solution
+/// is found, NotResolved if the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
                               const Prescribed& given);
 
