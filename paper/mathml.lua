@@ -120,7 +120,8 @@ local function written(tex, kind)
   html = html:gsub('^<math display="inline" xmlns="[^"]*"', "<math") -- HTML needs neither
     :gsub('^<math display="block" xmlns="[^"]*"', '<math display="block"')
     :gsub("<semantics>(.*)<annotation.*</semantics>", "%1"):gsub("^(<math[^>]*>)<mrow>(.*)</mrow></math>$", "%1%2</math>")
-  return (settle_brackets(html, kind):gsub('(<mo stretchy="%l+") form="%l+">([%(%)%[%]])', "%1>%2")) -- no other form
+  return (settle_brackets(html, kind):gsub('(<mo stretchy="%l+") form="%l+">([%(%)%[%]])', "%1>%2") -- no other form
+    :gsub("(<mspace[^>]*)></mspace>", "%1/>"))
 end
 
 -- Half of a page's formulas have stood in it before.

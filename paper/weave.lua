@@ -814,9 +814,16 @@ end
 
 local function framed_table(content, id, text, class)
   if content.colspecs then
-    content.colspecs = content.colspecs:map(function(spec) -- the style sheet has all other columns at the left
-      return { spec[1] == "AlignRight" and spec[1] or "AlignDefault", nil }
-    end)
+    local aligns = content.colspecs:map(function(spec) return spec[1] end)
+    local function set_right(row) -- by a class; the style sheet has all other columns at the left
+      for column, cell in ipairs(row.cells) do
+        if aligns[column] == "AlignRight" then cell.classes:insert("r") end
+      end
+      return row
+    end
+    content.head.rows = content.head.rows:map(set_right)
+    for _, part in ipairs(content.bodies) do part.body = pandoc.List(part.body):map(set_right) end
+    content.colspecs = content.colspecs:map(function() return { "AlignDefault", nil } end)
   end
   local blocks = pandoc.List({ raw(id and string.format('<figure class="%s" id="%s">', class or "table", escape(id)) or "<figure>") })
   if id then

@@ -891,7 +891,6 @@ NotesOnDataBeyondTheModel() {
 
 # So does a creep curve, for the largest creep and rise of its rows, and a law for its data.
 NotesOnCreepCurves() {
-  local wheel=("${steel[@]}" --half-width 5.5e-3)
   run creep-curve "${wheel[@]}" --from-ratio 0 --to-ratio 0.9 --points 3
   [ $status -eq 0 ] && [ "$(wc -l <err)" -eq 2 ] || fail "status $status: $(cat err)"
   grep -q '^thermoroll: note: creep_ratio = 0.9 is above 0.1 .*: are all data in SI units and creeps no percentages?$' err || fail "$(cat err)"
@@ -900,7 +899,7 @@ NotesOnCreepCurves() {
   [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
   run law "${wheel[@]}" --format json
   [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
-  run law "${steel[@]}" --half-width 5.5 --format json
+  run law "${wheel[@]/5.5e-3/5.5}" --format json
   grep -q '^thermoroll: note: half_width = 5.5 is above 0.1 ' err || fail "$(cat err)"
 }
 
@@ -1814,7 +1813,8 @@ BadCurves() {
   # an end as a fraction of the speed is refused as one
   refuses 2 "to-ratio = 100 is not allowed: it must be at most about " creep-curve "${wheel[@]}" --to-ratio 100
   end=$(sed -E 's/.*at most about ([-+0-9.e]*),.*/\1/' err)
-  answers creep-curve "${wheel[@]}" --to-ratio "$end" --points 2
+  run creep-curve "${wheel[@]}" --to-ratio "$end" --points 2
+  [ $status -eq 0 ] || fail "status $status: $(cat err)"
   refuses 2 "from-ratio = 0.02 is not allowed: it must be below --to-ratio, 0.01" creep-curve "${wheel[@]}" --from-ratio 0.02 --to-ratio 0.01
   refuses 2 "--peclet is missing" creep-curve --friction 0.6
   refuses 2 "--friction is required" creep-curve --peclet 100

@@ -359,7 +359,7 @@ The *caption*.
 :::
 END
   expect 'Table 1. The caption.' 'Name n' 'a, “b” and c, see Eq. (1)' '−1' 'plain' '2·10−3' 'p. 7'
-  expect_html '<td style="text-align: right;">−1</td>' '<td style="text-align: right;">–</td>' '<code>c</code>' '2·10<sup>−3</sup>'
+  expect_html '<td class="r">−1</td>' '<td class="r">–</td>' '<code>c</code>' '2·10<sup>−3</sup>'
   mkdir -p figures/measured
   sed 's/plain/other/' build/data/t.csv >figures/measured/t.csv
   sed -i 's|"t|"figures/measured/t|' one.md
