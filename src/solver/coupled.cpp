@@ -377,7 +377,8 @@ void check(double friction, const Prescribed& given) {
   if (q == traction) require(x > 0, "traction", x, below);
   if (q == traction) require(x < friction, "traction", x, below + ", " + shortest(friction));
   if (q == creep) require(x > 0, "creep", x, "positive");
-  if (q == stick_slip_border) require(-1 < x && x < 1, "stick-slip-border", x, "between -1 and 1");
+  if (q == stick_slip_border)  // a stick zone may not be lost in rounding
+    require(x < 1 && (1 - x) / 2 < 1, "stick-slip-border", x, "between -1 and 1");
 }
 
 void check(const Scene& scene, const Prescribed& given) {
@@ -393,8 +394,7 @@ Carter carter_given(double friction, const Prescribed& given) {
   if (given.quantity == traction) return carter(friction, given.value);
   const bool by_border = given.quantity == stick_slip_border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
-  require(half < 1, by_border ? "stick-slip-border" : "creep", given.value,
-          by_border ? "further from -1" : "below 2 f / pi, where the whole contact slips");
+  require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
 }

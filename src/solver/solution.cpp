@@ -335,28 +335,39 @@ PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit
   return y;
 }
 
+void set_sizes(PhysicalResults& y, const PhysicalScene& si, double load_ratio) {
+  const double hertz = hertz_half_width(load_ratio * si.load, 1, si.shear_modulus, si.poisson);
+  y.half_width = si.half_width;
+  y.radius = si.half_width * si.half_width / (hertz * hertz);
+  y.hertz_pressure = 2 / pi * (si.load / si.half_width);
+  y.half_width_over_radius = hertz * hertz / si.half_width;
+}
+
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si) {
   struct Limit {
     const char* name;
     double value, most;
-    const char* meaning;
+    const char *meaning, *question;
   };
+  const char* units = "are all data in SI units and none in GPa or mm?";
   const char* melts = si.conductivity_2 > 0
                           ? "steel melts there"
                           : "steel melts there with all heat in one body: two steel bodies are "
                             "about half as hot";
   const Limit limits[] = {
-      {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there"},
-      {"creep_ratio", std::abs(x.creep_ratio), 0.1, "strains are not small there"},
-      {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus"},
-      {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most"},
-      {"max_temperature_celsius", x.max_temperature_celsius, 1500, melts}};
+      {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
+       units},
+      {"creep_ratio", std::abs(x.creep_ratio), 0.1, "strains are not small there",
+       "are all data in SI units and creeps no percentages?"},
+      {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
+       units},
+      {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
+      {"max_temperature_celsius", x.max_temperature_celsius, 1500, melts, units}};
   std::vector<std::string> notes;
-  for (const auto& [name, value, most, meaning] : limits) {
+  for (const auto& [name, value, most, meaning, question] : limits) {
     if (!(value > most)) continue;
     notes.push_back(std::string(name) + " = " + rounded(value, 3) + " is above " +
-                    rounded(most, 4) + " (" + meaning + "): are all data in SI units and " +
-                    (name == limits[1].name ? "creeps no percentages?" : "none in GPa or mm?"));
+                    rounded(most, 4) + " (" + meaning + "): " + question);
   }
   return notes;
 }
@@ -413,10 +424,7 @@ FoundPeaks peaks(const Solution& x) {
 
 std::vector<std::string> notes_on(const PhysicalScene& si, double creep_ratio, double rise) {
   PhysicalResults x{};
-  const double hertz = hertz_half_width(si.load, 1, si.shear_modulus, si.poisson);
-  x.half_width = si.half_width;
-  x.half_width_over_radius = hertz * hertz / si.half_width;
-  x.hertz_pressure = 2 * si.load / (pi * si.half_width);
+  set_sizes(x, si, 1);
   x.creep_ratio = creep_ratio;
   x.max_temperature_celsius = rise;
   return beyond_the_model(x, si);
@@ -431,13 +439,8 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
                       CreepUnit given) {
   const Units unit = units_of(si, x.scene.friction);
   const FoundPeaks peak = peaks(x);
-  const double hertz =
-      hertz_half_width(x.value(load_ratio) * si.load, 1, si.shear_modulus, si.poisson);
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
-  y.value.half_width = si.half_width;
-  y.value.radius = si.half_width * si.half_width / (hertz * hertz);
-  y.value.hertz_pressure = 2 / pi * unit.traction;
-  y.value.half_width_over_radius = hertz * hertz / si.half_width;
+  set_sizes(y.value, si, x.value(load_ratio));
   y.notes = beyond_the_model(y.value, si);
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;

@@ -111,6 +111,8 @@ CreepOrBorderInPlaceOfTraction() {
   [ "$(value traction) $(value full_slip)" = "0.6 true" ] || fail "not in full slip: $(cat out)"
   refuses 2 "stick-slip-border = -1 is not allowed: it must be between -1 and 1" \
     solve --friction 0.6 --stick-slip-border -1 --peclet 100
+  refuses 2 "stick-slip-border = -0.9999999999999999 is not allowed: it must be between -1 and 1" \
+    solve --friction 0.6 --stick-slip-border -0.9999999999999999 --peclet 100
   local one="exactly one of --traction, --creep and --stick-slip-border"
   refuses 2 "$one" solve --friction 0.6 --peclet 100
   refuses 2 "$one" solve --friction 0.6 --peclet 100 --traction 0.5 --creep 0.1

@@ -428,8 +428,6 @@ TEST(Exchange, TheInsulatorIsTheLimitAtFixedHeatCapacity) {
   EXPECT_GT(third, 0.01);
 }
 
-// The strain at high speed is that of the leading edge's flux, cut off at the trailing edge; the
-// next terms are of the order of 1 / sqrt(Pe), with factors of order one.
 // The grids of loose tolerances share the flux of the bulk difference: its amplitude at the edge
 // has an error nevertheless. The fluxes of a few unknowns more or less agree on the state without
 // slip, but do not resolve it.
@@ -465,6 +463,8 @@ TEST(Exchange, TwoDigitsHaveTheirErrors) {
   }
 }
 
+// The strain at high speed is that of the leading edge's flux, cut off at the trailing edge; the
+// next terms are of the order of 1 / sqrt(Pe), with factors of order one.
 TEST(Exchange, NoSlipAtHighSpeed) {
   for (const double peclet : {1e2, 1e3, 1e4}) {
     Scene scene{0.6, peclet, 0.5, {1, 0.5}};

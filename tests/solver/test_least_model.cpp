@@ -133,9 +133,6 @@ TEST(LeastModel, TemperatureOfTheClosedForm) {
     }
 }
 
-// Whatever the climb starts from, it ends at the top, and not at an end of the slip zone, where the
-// slope by y is zero as well. The graded rules' errors are the same for all starts; what is left is
-// what the last step, below 1e-5, leaves out.
 // At such speeds the rule for the temperature would have more nodes than any rule may.
 TEST(LeastModel, AnswersAtAnySpeed) {
   const auto is_finite = [](double peclet, double heating, double tolerance, Method method) {
@@ -151,6 +148,9 @@ TEST(LeastModel, AnswersAtAnySpeed) {
   }
 }
 
+// Whatever the climb starts from, it ends at the top, and not at an end of the slip zone, where the
+// slope by y is zero as well. The graded rules' errors are the same for all starts; what is left is
+// what the last step, below 1e-5, leaves out.
 TEST(LeastModel, ClimbsFromAnywhere) {
   const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(64);
   for (double lambda = 1e-9; lambda < 1e9; lambda *= 10) {
