@@ -32,15 +32,17 @@ struct CreepCurve {
 
 GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from) {
   const auto& [scene, formulation, n, known, unused] = curve;
+  const SlipVariable by = about_kinks(scene, from, n);
   if (rho < 1)
-    return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho}, from);
+    return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho, by}, from);
   if (known == 0) {
     GridSolution end = next_to_full_slip(scene, formulation, n);
     curve.all_slips = end.value(Quantity::creep);
     if (rho == 1) return end;
   }
   const bool slips = from.at.slip == 2;
-  return solve_slipping_grid(curve.slipping, n, known / (2 - rho), slips ? from : GridSolution{});
+  const GridSolution start = slips ? from : GridSolution{};
+  return solve_slipping_grid(curve.slipping, n, known / (2 - rho), start, by);
 }
 
 struct OnCurve {
@@ -211,9 +213,11 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Results now = derivative(top.local, 0, top.rho);
     const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
     const double part = part_with_law(level.h, points[0].solution.h);
-    const Results error =
-        part * (now - last).abs() + bend * derivative(top.local, 1, top.rho).abs();
-    const bool smooth = alone || !decays_slowly(level.h, points[0].solution.h);
+    const Results error = part * (now - last).abs() +
+                          bend * derivative(top.local, 1, top.rho).abs() +
+                          error_of_kinks(points[0].solution);
+    const bool kinked = !points[0].solution.kinks.empty();
+    const bool smooth = alone || kinked || !decays_slowly(level.h, points[0].solution.h);
     const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
     const double worst = smooth ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);
@@ -267,11 +271,12 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
     const GridSolution last = level;
-    const double missing = residual(last, given);
-    level = last.at.stick == 0
-                ? solve_slipping_grid(slipping, n, last.value(creep) + slope(creep) * missing, last)
-                : solve_on_grid(scene, formulation, n,
-                                moved_by(last.at, slope(stick_slip_border) * missing), last);
+    const Results step = slope * residual(last, given);
+    ZoneLengths at = moved_by(last.at, last.at.stick == 0 ? 0 : step(stick_slip_border));
+    at.variable = variable_after(scene, last, n);
+    const double next = last.value(creep) + step(creep);
+    level = last.at.stick == 0 ? solve_slipping_grid(slipping, n, next, last, at.variable)
+                               : solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) break;
     const double moved = level.value(traction) - last.value(traction);
     if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/LU>
@@ -141,6 +142,52 @@ ArrayXd law_on_stick(const ContactGrid& grid, const VectorXd& h, const LawAtNode
   return phi;
 }
 
+/// Where the slope of a law jumps between two temperatures, and by how much; 0 where it does not.
+struct Jump {
+  double temperature, size;
+};
+
+Jump jump_between(const FrictionLaw& law, double low, double high) {
+  double at_low = law(low).slope, at_high = law(high).slope;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = (low + high) / 2, at_middle = law(middle).slope;
+    const double below = std::abs(at_middle - at_low), above = std::abs(at_high - at_middle);
+    if (std::min(below, above) >= std::max(below, above) / 4) return {middle, 0};
+    (below > above ? high : low) = middle;
+    (below > above ? at_high : at_low) = at_middle;
+  }
+  return {low, std::abs(at_high - at_low)};
+}
+
+/// The y between two at which a Legendre series has a value.
+double place_of(const VectorXd& series, double value, double from, double to) {
+  const auto at = [&](double y) {
+    return legendre(ArrayXd::Constant(1, y), series.size()).row(0).dot(series);
+  };
+  const bool rises = at(from) < at(to);
+  for (int halving = 0; halving < 30; ++halving) {
+    const double middle = (from + to) / 2;
+    ((at(middle) < value) == rises ? from : to) = middle;
+  }
+  return from;
+}
+
+struct TemperaturesOnZone {
+  VectorXd series;
+  ArrayXd y, value;
+};
+
+TemperaturesOnZone with_ends(const ContactGrid& grid, const ArrayXd& temperature) {
+  const Index n = temperature.size();
+  const VectorXd series = to_legendre(grid.rules.slip, temperature.matrix());
+  const VectorXd ends = legendre(ArrayXd{{-1, 1}}, n) * series;
+  TemperaturesOnZone x{series, ArrayXd(n + 2), ArrayXd(n + 2)};
+  x.y << -1, grid.nodes.y, 1;
+  x.value << ends(0), temperature, ends(1);
+  if (!grid.bulk) x.value = x.value.max(std::numeric_limits<double>::min());
+  return x;
+}
+
 double strain_of_zone(const Scene& scene, const ZoneLengths& at) {
   return scene.friction * heating_of_both(scene) * std::sqrt(at.slip * scene.peclet);
 }
@@ -212,10 +259,16 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   return grid;
 }
 
+/// More nodes of the graded rules where the variable is not psi.
+int more_graded(const SlipVariable& by) {
+  if (by.clusters[0].rate > 0) return 32;
+  return by.beta > 0 ? 8 : 0;
+}
+
 GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
   const bool friction_crosses = exchanges(scene, zones), bulk = scene.bulk_difference != 0;
   if (!is_unlike(scene) && !friction_crosses && !bulk)
-    return GridRules(n, zones, scene.peclet, zones.beta > 0 ? 8 : 0, 0,
+    return GridRules(n, zones, scene.peclet, more_graded(zones.variable), 0,
                      layer_ahead(n, scene.peclet));
   const Conduction conduction(scene, false);
   int more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
@@ -343,6 +396,28 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   slip.head(m) = v.reverse();
   s << z.r.reverse(), z.s;
   return {friction, z.zones.c0(), kappa, s, pressure, slip, phi};
+}
+
+std::vector<Kink> kinks_on(const ContactGrid& grid, const VectorXd& h) {
+  const LawAtNodes at = friction_at_nodes(grid, 1, h);
+  const auto [series, y, temperature] = with_ends(grid, at.temperature);
+  const ArrayXd part = grid.hot->moment * at.pressure, friction = part / part.sum();
+  const auto psi = [&](double place) {
+    return SlipPoint(1 + place, 1 - place, grid.nodes.zones.variable).psi;
+  };
+  std::vector<Kink> kinks;
+  const Index last = friction.size() - 1;
+  for (Index i = 0; i <= last + 1; ++i) {
+    const auto [low, high] = std::minmax(temperature(i), temperature(i + 1));
+    const Jump jump = jump_between(grid.scene.law, low, high);
+    if (jump.size == 0) continue;
+    const double left = friction(std::max(i - 1, Index{0})), right = friction(std::min(i, last));
+    const double beside = std::max(left, right);
+    const double error = jump.size * (high - low) * beside / 12, step = psi(y(i + 1)) - psi(y(i));
+    kinks.push_back({psi(place_of(series, jump.temperature, y(i), y(i + 1))),
+                     12 * error / (step * step), error});
+  }
+  return kinks;
 }
 
 }  // namespace thermoroll

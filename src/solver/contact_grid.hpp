@@ -1,8 +1,9 @@
-// Tangled from paper/12-coupled-problem.md; edit there.
+// Tangled from paper/12-coupled-problem.md, paper/21-hot-friction.md; edit there.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -73,5 +74,14 @@ int solve_flux(const ContactGrid& grid, Eigen::VectorXd& h);
 /// slip nodes, and on the stick zone the bracket of @eq:corrective-inverse. From s = -1 on: the
 /// stick nodes reversed, then the slip nodes.
 Factors factors(const ContactGrid& grid, const Eigen::VectorXd& h);
+
+/// A kink of the lost friction along the slip zone: its place in psi, the jump of its slope by psi,
+/// and the error that it causes; the last two as a part of all friction.
+struct Kink {
+  double place, jump, error;
+};
+
+/// Those of a law of friction for an h.
+std::vector<Kink> kinks_on(const ContactGrid& grid, const Eigen::VectorXd& h);
 
 }  // namespace thermoroll

@@ -93,7 +93,8 @@ double error_of_leading_edge(const ZoneLengths& at, int n) {
   const double eps = at.stick / at.slip;
   const std::complex<double> u(0, std::sqrt(eps / 3));
   std::complex<double> y = (std::sqrt(9.0 + 1056.0 * u) - 3.0) / 24.0 - 1.0;
-  if (at.beta > 0) y = std::atanh(y * std::tanh(at.beta)) / at.beta;
+  const double beta = at.variable.beta;
+  if (beta > 0) y = std::atanh(y * std::tanh(beta)) / beta;
   const auto root = std::sqrt(y * y - 1.0);
   const double semi_axes = std::max(std::abs(y + root), std::abs(y - root));
   return 10 * std::sqrt(eps) * std::pow(semi_axes, -2 * n);
@@ -130,6 +131,14 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
   const int least = static_cast<int>(std::ceil(next));
   return std::min((least + group - 1) / group * group, most_unknowns);
+}
+
+/// By the largest change of the results.
+Results estimate_with_kinks(const GridSolution& level, double change) {
+  const double part = level.crossing ? 2 : 0.5, n = static_cast<double>(level.h.size());
+  Results error = Results::Constant(std::max(part * change, error_of_kinks(level)));
+  error(max_temperature) = std::max(error(max_temperature), 60 * tail(level.h) / (n * n));
+  return error;
 }
 
 /// By the change since the grid before, the share of heat, the coefficients on both grids, and the
@@ -170,7 +179,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
   slope = carter_slope(cold, given.quantity);
   GridSolution level, tried;
   level.at = {2 * cold.slip_half_width, 2 * cold.b};
-  level.at.beta = crowding(scene, formulation, level.at);
+  level.at.variable.beta = crowding(scene, formulation, level.at);
   const bool crosses = scene.bulk_difference != 0 || exchanges(scene, level.at);
   const int cautious = crosses && digits > 4 ? 16 : 10;
   const int first = scene.law ? 12 : easy ? 6 : cautious, last = scene.law ? 96 : 80;
@@ -239,7 +248,7 @@ int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   if (scene.bulk_difference != 0) return edge_unknowns(scene);
   const int by_digits = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
   if (coarse.crossing) return std::max(by_digits, 15);
-  const bool plain = !scene.law && !is_unlike(scene) && coarse.at.beta == 0;
+  const bool plain = !scene.law && !is_unlike(scene) && coarse.at.variable.beta == 0;
   if (!plain || coarse.h.size() != 10) return by_digits;
   const VectorXd cold = carter_h(coarse.at, scene.friction);
   return std::min(by_digits, unknowns_for_heat(coarse.h, cold, digits));
@@ -255,9 +264,7 @@ Results error_of_correction(const Results& value, const Results& slope, const Re
   return error;
 }
 
-double remembered(const Convergence& at, bool bent, bool crossing) {
-  const double coarser = static_cast<double>(at.before) / at.n;
-  if (bent && !crossing) return coarser * coarser;
+double remembered(const Convergence& at, bool crossing) {
   return at.n > 200 || (crossing && !at.slow) ? 0.004 : 0.01;
 }
 
@@ -269,9 +276,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
-  const bool bent = scene.law && decays_slowly(last.h, level.h);
-  const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.beta > 0};
-  const double part = remembered(grids, bent, level.crossing.has_value());
+  const bool layered = scene.law && level.kinks.empty() && decays_slowly(last.h, level.h);
+  const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.variable.beta > 0};
+  const double part = remembered(grids, level.crossing.has_value());
   const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
@@ -283,13 +290,14 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
     left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + small;
-  if (bent) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
-  if (level.crossing && !bent) {
+  if (level.crossing && !layered && level.kinks.empty()) {
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + small;
   }
+  if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
+  if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
   return {value, change, left + rounding(given, slope, scale)};
 }
 
@@ -310,7 +318,9 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
   for (int k = 0; k < 5; ++k) {
     const GridSolution last = level;
     const double step = within_contact(slope(stick_slip_border) * residual(last, given), last.at);
-    level = solve_on_grid(scene, formulation, n, moved_by(last.at, step), last);
+    ZoneLengths at = moved_by(last.at, step);
+    at.variable = variable_after(scene, last, n);
+    level = solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) break;
     const double moved = level.value(given.quantity) - last.value(given.quantity);
     if (k > 0 && moved != 0) slope = (level.value - last.value) / moved;
@@ -326,7 +336,7 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
 
 double error_of_hottest(const Scene& scene, const GridSolution& level, double estimate,
                         double tolerance) {
-  const bool by_tail = scene.law || level.at.beta > 0 || converges_slowly(scene, level.at);
+  const bool by_tail = scene.law || level.at.variable.beta > 0 || converges_slowly(scene, level.at);
   return std::max(estimate, by_tail ? std::min(tail(level.h), 0.9 * tolerance) : 0);
 }
 
@@ -340,7 +350,7 @@ CoupledSolution solution_of(const Scene& scene, const Approach& approach, const 
   const auto n = static_cast<int>(level.h.size());
   CoupledSolution x{scene,   approach.formulation, found.value, error, n, level.newton_steps,
                     level.h, level.violations,     trace};
-  x.beta = level.at.beta;
+  x.variable = level.at.variable;
   const bool where_it_sticks = found.value(max_temperature_at) < level.at.c0();
   x.error(max_temperature_at) = where_it_sticks ? level.at.stick : level.at.slip * of_place;
   if (level.at.stick == 0) x.error(stick_slip_border) = x.error(slip_length) = 0;
@@ -359,10 +369,11 @@ GridStep step_of(const GridSolution& level) {
 /// The grid of n unknowns at the border of a solution, or in full slip.
 ContactGrid grid_of(const CoupledSolution& x, int n) {
   if (x.value(Quantity::stick_slip_border) == -1)
-    return at_creep(full_slip_grid(x.scene, x.formulation, n), x.value(Quantity::creep));
+    return at_creep(full_slip_grid(x.scene, x.formulation, n, x.variable),
+                    x.value(Quantity::creep));
   return contact_grid(
       x.scene, x.formulation,
-      {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border), x.beta}, n);
+      {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border), x.variable}, n);
 }
 
 }  // namespace
@@ -524,9 +535,9 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) 
 HeatFlux coupled_flux(const CoupledSolution& x) {
   const double length = x.value(Quantity::slip_length);
   return {x.value(Quantity::stick_slip_border), 1,
-          [h = x.h, slip = length, beta = x.beta](double left, double right) {
+          [h = x.h, slip = length, by = x.variable](double left, double right) {
             const double share = std::min({left, right, slip / 2}) / slip;
-            const double eta = distance_of_share(share, beta);
+            const double eta = distance_of_share(share, left < right ? by : mirrored(by));
             const ArrayXd y = ArrayXd::Constant(1, left < right ? eta - 1 : 1 - eta);
             return std::sqrt(left * right) * (legendre(y, h.size()) * h)(0);
           }};
@@ -559,7 +570,7 @@ std::vector<ExchangedFlux> exchanged_fluxes(const Scene& scene, Formulation form
 }
 
 ArrayXd exchanged_heat_flux(const CoupledSolution& x, const ArrayXd& s) {
-  const SmoothFlux by{x.value(slip_length), 1 + x.value(stick_slip_border), x.h, x.beta};
+  const SmoothFlux by{x.value(slip_length), 1 + x.value(stick_slip_border), x.h, x.variable};
   ArrayXd flux = ArrayXd::Zero(s.size());
   for (const ExchangedFlux& e : exchanged_fluxes(x.scene, x.formulation, by, 60))
     flux += flux_at(e, s);
@@ -627,7 +638,7 @@ SmoothTractions smooth_tractions(const CoupledSolution& x, int n) {
   const ZoneLengths& at = grid.nodes.zones;
   SmoothTractions y{at.slip, at.stick, h, {}, to_stick * stick_pressure, to_stick * bracket};
   y.layer = grid.rules.layer;
-  y.beta = at.beta;
+  y.variable = at.variable;
   const MatrixXd to_slip = to_legendre(grid.rules.slip);
   y.pressure = to_slip * found.pressure.tail(n).matrix();
   if (!grid.hot) return y;

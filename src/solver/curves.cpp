@@ -9,7 +9,7 @@ namespace thermoroll {
 
 Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
   const GaussLegendre places{x, 0 * x, (1 + x) / 2, {}, {}, {}};
-  const Nodes z = place_nodes({by.slip, by.stick, by.beta}, places, places, by.layer);
+  const Nodes z = place_nodes({by.slip, by.stick, by.variable}, places, places, by.layer);
   const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
   const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
   const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);

@@ -99,8 +99,9 @@ GridSolution followed_full_slip(SlippingGrids& grids, double creep, const GridSo
 
 }  // namespace
 
-ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n) {
-  ContactGrid grid = contact_grid(scene, formulation, {2, 0}, n);
+ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n,
+                           const SlipVariable& by) {
+  ContactGrid grid = contact_grid(scene, formulation, {2, 0, by}, n);
   const VectorXd rigid = 2 * scene.friction / pi * grid.nodes.s;
   TractionOperators& x = grid.tractions;
   x.v0 = rigid;
@@ -147,7 +148,8 @@ CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, do
   return refine(scene, approach, {Quantity::creep, creep}, level, slope,
                 [&](int finer, const GridSolution& last) {
                   SlippingGrids once{scene, formulation};
-                  GridSolution x = solve_slipping_grid(once, finer, creep, last);
+                  const SlipVariable by = variable_after(scene, last, finer);
+                  GridSolution x = solve_slipping_grid(once, finer, creep, last, by);
                   forget_the_edge(x, 0.5 * std::sqrt(approach.tolerance));
                   return x;
                 });

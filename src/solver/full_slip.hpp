@@ -8,7 +8,8 @@
 namespace thermoroll {
 
 /// The grid of n unknowns in full slip, @eq:full-slip, for any creep; and at a creep xi*.
-ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n);
+ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n,
+                           const SlipVariable& by = {});
 ContactGrid at_creep(ContactGrid grid, double creep);
 
 /// Solve in full slip for a creep; arguments and errors as for solve_coupled. Refuses a creep at

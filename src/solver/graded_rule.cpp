@@ -25,10 +25,27 @@ using Eigen::VectorXd;
   rest = 2 * b / sum;
 }
 
+[[gnu::always_inline]] inline void cluster(const SlipPoint& from, Pack4& step, Pack4& eta,
+                                           Pack4& rest, Pack4& weight) {
+  rest = -rest;
+  for (std::size_t i = 2; i-- > 0;) {
+    const Cluster& c = from.clusters[i];
+    if (c.rate == 0) continue;
+    Pack4 half;
+    sinh_of(c.rate / 2 * (from.before[i] - c.middle + step), half);
+    weight *= c.width * c.rate * (1 + 2 * half * half);
+    step_across(c, -1, eta);
+    step_across(c, 1, rest);
+    step_across(c, from.before[i], step);
+  }
+  rest = -rest;
+}
+
 THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, double left,
-                             double right, const GaussLegendre& rule, double beta) {
-  const SlipPoint from(left, right, beta);
-  const double end_growth = beta > 0 ? 4 * beta / from.end : 1;  // of psi by y
+                             double right, const GaussLegendre& rule, const SlipVariable& by) {
+  const SlipPoint from(left, right, by);
+  double end_growth = by.beta > 0 ? 4 * by.beta / from.end : 1;  // of psi by y
+  for (const Cluster& c : by.clusters) end_growth *= growth_at(c, -1);
   const double at_end = 22 * std::sqrt((1 / peclet + gap) / 27) / end_growth;
   const double delta = 6 * std::min(at_end, 1 / (peclet * 6 * from.u * from.v * from.du));
   const double ell = std::log1p(right / delta);
@@ -42,7 +59,8 @@ THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, doub
     const Pack4 dy = ell * delta * dcube * (1 + grown);
     Pack4 step = delta * grown, eta = left + step, rest = right - step, dpsi = dy;
     store(from.y + step, &graded.y[k]);
-    if (beta > 0) crowd(from, step, eta, rest, dpsi);
+    if (by.beta > 0) crowd(from, step, eta, rest, dpsi);
+    if (by.clusters[0].rate > 0) cluster(from, step, eta, rest, dpsi);
     slip_cubic(eta, u);
     slip_cubic(rest, v);
     t_beyond(from, step, u, v, apart);

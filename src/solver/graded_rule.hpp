@@ -29,9 +29,9 @@ struct GradedRule {
 
 /// Quadrature nodes from the target at y0 to y = 1; left = 1 + y0 and right = 1 - y0. The gap, in
 /// lengths of the slip zone, is that of a target in the stick zone, with left = 0. The Péclet
-/// number is that of the slip zone, beta that of @eq:angles.
+/// number is that of the slip zone, y that of @eq:angles.
 void grade(GradedRule& graded, double peclet, double gap, double left, double right,
-           const GaussLegendre& rule, double beta = 0);
+           const GaussLegendre& rule, const SlipVariable& by = {});
 
 /// N1 with the heat, with h and dh in dg, N2 with the heat, and N2 with the heat of the mirrored
 /// rule; if there are seven columns, also M with the heat, and that of the mirrored rule. A row for

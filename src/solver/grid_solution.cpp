@@ -50,10 +50,27 @@ void compare_with_stick_zone(Results& value, const ContactGrid& grid, const Vect
   value(max_temperature_at) = place_on_stick_zone(grid, top.y);
 }
 
+/// The y of a point in another variable.
+double place_in(const SlipVariable& by, const SlipPoint& at) {
+  const double t = at.t(), rest = at.v * at.v * (1 + 2 * at.u);
+  return t < rest ? distance_of_share(t, by) - 1 : 1 - distance_of_share(rest, mirrored(by));
+}
+
+/// The coefficients of the h of a solution with as many unknowns or fewer.
+VectorXd carried_to(const ContactGrid& grid, const GridSolution& from) {
+  const SlipVariable &own = grid.nodes.zones.variable, &other = from.at.variable;
+  VectorXd h = VectorXd::Zero(grid.nodes.y.size());
+  h.head(from.h.size()) = from.h;
+  if (own == other) return h;
+  const ArrayXd y = grid.nodes.y.unaryExpr(
+      [&](double place) { return place_in(other, SlipPoint(1 + place, 1 - place, own)); });
+  return to_legendre(grid.rules.slip, legendre(y, from.h.size()) * from.h);
+}
+
 Results values_on_grid(const ContactGrid& grid, const GridSolution& found) {
   const ZoneLengths& at = found.at;
   const Resultants sum = resultants(grid, found.h);
-  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y, at.beta);
+  const SlipPoint top(1 + found.peak.y, 1 - found.peak.y, at.variable);
   const double creep = sum.constant - grid.scene.friction * sum.gamma0;
   const double heat = at.slip * at.slip * grid.nodes.heat.dot(grid.rules.slip.p * found.h);
   Results value = Results::Zero();
@@ -147,15 +164,15 @@ HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSo
 
 GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   const ZoneLengths& at = grid.nodes.zones;
-  const Index n = grid.nodes.y.size();
   GridSolution found;
   found.at = at;
   found.h = carter_h(grid);
-  if (from.newton_steps > 0) found.h << from.h, VectorXd::Zero(n - from.h.size());
+  if (from.newton_steps > 0) found.h = carried_to(grid, from);
   found.newton_steps = solve_flux(grid, found.h);
   found.peak = hottest_on(grid, found.h, from);
   found.value = values_on_grid(grid, found);
   found.crossing = crossing_heat(grid, found);
+  if (grid.hot) found.kinks = kinks_on(grid, found.h);
   if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
   return found;
 }
@@ -201,8 +218,9 @@ double residual(const GridSolution& x, const Prescribed& given) {
 }
 
 ZoneLengths moved_by(const ZoneLengths& zones, double step) {
-  const double slip = zones.slip - step, stick = zones.stick + step, beta = zones.beta;
-  return slip < stick ? ZoneLengths{slip, 2 - slip, beta} : ZoneLengths{2 - stick, stick, beta};
+  const double slip = zones.slip - step, stick = zones.stick + step;
+  if (slip < stick) return {slip, 2 - slip, zones.variable};
+  return {2 - stick, stick, zones.variable};
 }
 
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
@@ -214,7 +232,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     level = solve_on(grid, last);
     if (level.newton_steps == 0) {
       if (k == 0 || ++failed == 8) break;
-      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2, at.beta};
+      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2, at.variable};
       level = last;
       continue;
     }
@@ -262,11 +280,39 @@ double tail(const VectorXd& h) {
 }
 
 GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
-                                 const GridSolution& from) {
+                                 const GridSolution& from, const SlipVariable& by) {
   auto& [scene, formulation, kept] = grids;
-  if (kept.count(n) == 0) kept.emplace(n, full_slip_grid(scene, formulation, n));
+  const auto known = kept.find(n);
+  if (known != kept.end() && known->second.nodes.zones.variable != by) kept.erase(known);
+  if (kept.count(n) == 0) kept.emplace(n, full_slip_grid(scene, formulation, n, by));
   const ContactGrid grid = at_creep(kept.at(n), creep);
   return judged(solve_on(grid, from), grid);
+}
+
+SlipVariable about_kinks(const Scene& scene, const GridSolution& from, int n) {
+  SlipVariable by;
+  if (is_unlike(scene) || scene.bulk_difference != 0) return by;
+  std::vector<Kink> kinks = from.kinks;
+  std::sort(kinks.begin(), kinks.end(), [](auto& a, auto& b) { return a.jump > b.jump; });
+  auto& [first, second] = by.clusters;
+  const double width = 0.6 / n;
+  for (const Kink& kink : kinks) {
+    if (first.rate == 0) {
+      first = cluster_at(kink.place, width);
+      continue;
+    }
+    if (n < 100 || kink.jump < 16 * kinks[0].jump / (n * n)) break;
+    if (std::abs(kink.place - first.place) < 2 * width) continue;
+    const double before = distance_before(first, 1 + kink.place) - 1;
+    second = cluster_at(before, width / growth_at(first, before));
+    break;
+  }
+  return by;
+}
+
+SlipVariable variable_after(const Scene& scene, const GridSolution& from, int n) {
+  const bool same = n == from.h.size() || from.kinks.empty();
+  return same ? from.at.variable : about_kinks(scene, from, n);
 }
 
 int unknowns_after(int n) {
@@ -285,6 +331,12 @@ double part_with_law(const VectorXd& before, const VectorXd& now) {
 bool decays_slowly(const VectorXd& before, const VectorXd& now) {
   const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
   return tail(now) > std::max(1e-6, std::pow(finer, 3) * tail(before));
+}
+
+double error_of_kinks(const GridSolution& x) {
+  double sum = 0;
+  for (const Kink& kink : x.kinks) sum += 10 * kink.error;
+  return sum;
 }
 
 }  // namespace thermoroll

@@ -23,6 +23,7 @@ struct GridSolution {
   int newton_steps = 0;                    // 0 if Newton's method failed
   std::vector<Violation> violations{};     // if it is not admissible
   std::optional<CrossingHeat> crossing{};  // heat between both bodies, if solved for
+  std::vector<Kink> kinks{};               // of a law of friction
 };
 
 /// Solve with n unknowns at a border, starting from a coarser grid's solution, or Carter's.
@@ -38,7 +39,12 @@ struct SlippingGrids {
 
 /// Solve with n unknowns in full slip for a creep, starting from a coarser grid's solution there.
 GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
-                                 const GridSolution& from);
+                                 const GridSolution& from, const SlipVariable& by = {});
+
+/// The variable with nodes at the kinks of a solution, for a grid of n unknowns; and that of a grid
+/// that starts from a solution.
+SlipVariable about_kinks(const Scene& scene, const GridSolution& from, int n);
+SlipVariable variable_after(const Scene& scene, const GridSolution& from, int n);
 
 /// The residual of a solution for the given quantity; a border is measured from the nearer end.
 double residual(const GridSolution& x, const Prescribed& given);
@@ -65,9 +71,11 @@ double tail(const Eigen::VectorXd& h);
 double unresolved(double tail, int n, bool slow, double of_integrals, double in_layer);
 
 /// With a law of friction, the part of a change since the previous grid that is counted as an
-/// error, by the coefficients of h on both grids; and the unknowns of the next grid.
+/// error, by the coefficients of h on both grids; whether they decay slowly; ten times the error of
+/// the kinks; and the unknowns of the next grid.
 double part_with_law(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 bool decays_slowly(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
+double error_of_kinks(const GridSolution& x);
 int unknowns_after(int n);
 
 /// E of any two bodies that conduct, on this many nodes or more, for the h of friction.

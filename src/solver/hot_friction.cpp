@@ -15,7 +15,7 @@ ArrayXd measure(const Nodes& z, const GaussLegendre& rule) {
   if (z.zones.stick == 0) return z.zones.slip * z.zones.slip * z.heat;
   ArrayXd weight(z.y.size());
   for (Index i = 0; i < weight.size(); ++i) {
-    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i), z.zones.variable);
     weight(i) = 6 * at.v * at.v * std::sqrt((1 + 2 * at.u) / (1 + 2 * at.v)) * at.du * rule.w(i);
   }
   return z.zones.slip * weight;
@@ -36,7 +36,7 @@ MatrixXd derivative_at_node(const Nodes& z, const GaussLegendre& rule, const Arr
   for (Index j = 0; j < n; ++j) {
     derivative.col(j) = c(j) / (c * (z.y - z.y(j)));
     derivative(j, j) = z.y(j) / (1 - z.y(j) * z.y(j));
-    const SlipPoint at(1 + z.y(j), 1 - z.y(j));
+    const SlipPoint at(1 + z.y(j), 1 - z.y(j), z.zones.variable);
     share(j) = weight(j) / (pi * z.zones.slip * 6 * at.u * at.v * at.du);
   }
   return share.matrix().asDiagonal() * derivative;

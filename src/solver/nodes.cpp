@@ -27,7 +27,7 @@ Nodes place_nodes(const ZoneLengths& zones, const GaussLegendre& slip, const Gau
   const Index n = slip.x.size(), m = stick.x.size();
   Nodes z{zones, slip.x, ArrayXd(n), {}, {}, {}, {}, {}, VectorXd(n + m), VectorXd(n)};
   for (Index i = 0; i < n; ++i) {
-    const SlipPoint at(1 + z.y(i), 1 - z.y(i), zones.beta);
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i), zones.variable);
     const double du = at.du * slip.w(i), uv = at.u * at.v;
     z.t(i) = at.t();
     z.heat(i) = 6 * uv * uv * at.omega() * du;
@@ -80,6 +80,8 @@ THERMOROLL_CLONES void t_from(const SlipPoint& from, const Fours& to, GradedArra
       sinh_of(from.beta * step, step);
       step *= from.end / from.sum / sum;
     }
+    for (std::size_t i = 2; i-- > 0;)
+      if (from.clusters[i].rate > 0) step_across(from.clusters[i], from.before[i], step);
     t_beyond(from, step, u, v, beyond);
     store(beyond, &apart[k]);
   }
@@ -88,7 +90,7 @@ THERMOROLL_CLONES void t_from(const SlipPoint& from, const Fours& to, GradedArra
 MatrixXd over_distances(const Nodes& z, const ArrayXd& weight) {
   const Index n = z.y.size();
   std::vector<SlipPoint> points;
-  for (const double y : z.y) points.emplace_back(1 + y, 1 - y, z.zones.beta);
+  for (const double y : z.y) points.emplace_back(1 + y, 1 - y, z.zones.variable);
   const Fours all = in_fours(points);
   GradedArray apart(all.y.size());
   MatrixXd quotients(n, n);
@@ -100,13 +102,24 @@ MatrixXd over_distances(const Nodes& z, const ArrayXd& weight) {
   return quotients;
 }
 
-double distance_of_share(double t, double beta) {
+double distance_before(const Cluster& c, double beyond) {
+  const double place = std::asinh((beyond - 1 - c.place) / c.width) / c.rate;
+  const double x = 1 + c.middle + place;
+  double there = x;
+  step_across(c, -1, there);
+  return x - (there - beyond) / growth_at(c, x - 1);
+}
+
+double distance_of_share(double t, const SlipVariable& by) {
   const double phi = 2 * std::asin(std::sqrt(t));
   const double u = 2 * std::cos((pi - phi) / 6) * std::sin(phi / 6), root = std::sqrt(5.0);
   const double eta = 1 + root * std::sin(std::asin(22 * (u - 0.5) / (5 * root)) / 3);
   double there = 0;
   slip_cubic(eta, there);
-  const double x = eta - (there - u) * 22 / (3 + 12 * eta * (2 - eta));  // 1 + psi
+  double x = eta - (there - u) * 22 / (3 + 12 * eta * (2 - eta));  // 1 + psi
+  for (const Cluster& c : by.clusters)
+    if (c.rate > 0) x = distance_before(c, x);
+  const double beta = by.beta;
   if (beta == 0) return x;
   return std::log1p(x * std::sinh(2 * beta) / (1 + x * std::expm1(-2 * beta) / 2)) / (2 * beta);
 }

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Core>
 
 #include "solver/gauss_legendre.hpp"
+#include "support/simd.hpp"
+#include "thermoroll/slip_variable.hpp"
 
 namespace thermoroll {
 
-/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2; and beta of @eq:angles.
+/// The lengths of both zones, 1 - c0 and 1 + c0, which add up to 2; and the y of @eq:angles.
 struct ZoneLengths {
-  double slip, stick, beta = 0;
+  double slip, stick;
+  SlipVariable variable{};
   double c0() const { return (stick - slip) / 2; }
 };
 
@@ -69,6 +73,32 @@ struct GridRules {
   double layer;  // length of the layer ahead of the border
 };
 
+/// Of nodes about a place in (-1, 1), @eq:cluster.
+inline Cluster cluster_at(double place, double width) {
+  const double a = std::asinh((1 + place) / width), b = std::asinh((1 - place) / width);
+  return {place, width, (a + b) / 2, (a - b) / (a + b)};
+}
+
+/// That of the mirror image.
+inline SlipVariable mirrored(SlipVariable x) {
+  for (Cluster& c : x.clusters) c = {-c.place, c.width, c.rate, -c.middle};
+  return x;
+}
+
+/// The step beyond a cluster for a step from x before it.
+template <class Number>
+[[gnu::always_inline]] inline void step_across(const Cluster& c, double x, Number& step) {
+  Number half, middle;
+  sinh_of(c.rate / 2 * step, half);
+  sinh_of(c.rate / 2 * (x - c.middle + step / 2), middle);
+  step = 2 * c.width * half * (1 + 2 * middle * middle);
+}
+
+/// Its derivative.
+inline double growth_at(const Cluster& c, double x) {
+  return c.rate > 0 ? c.width * c.rate * std::cosh(c.rate * (x - c.middle)) : 1;
+}
+
 /// u at the distance eta from psi = -1, or v at that distance from psi = 1; in [0, 1].
 template <class Number>
 [[gnu::always_inline]] inline void slip_cubic(const Number& eta, Number& u) {
@@ -77,8 +107,8 @@ template <class Number>
 
 /// A point of the slip zone at the distances 1 + y and 1 - y from its ends, @eq:angles.
 struct SlipPoint {
-  SlipPoint(double left, double right, double crowding = 0)
-      : beta(crowding), y((left - right) / 2) {
+  SlipPoint(double left, double right, const SlipVariable& by = {})
+      : beta(by.beta), clusters(by.clusters), y((left - right) / 2) {
     if (beta > 0) {
       const double a = std::sinh(beta * left), b = std::sinh(beta * right);
       sum = a + b;
@@ -87,12 +117,25 @@ struct SlipPoint {
       left = 2 * a / sum;
       right = 2 * b / sum;
     }
+    for (std::size_t i = 2; i-- > 0;) {
+      const Cluster& c = clusters[i];
+      if (c.rate == 0) continue;
+      before[i] = (left - right) / 2;
+      growth *= growth_at(c, before[i]);
+      right = -right;
+      step_across(c, -1, left);
+      step_across(c, 1, right);
+      right = -right;
+    }
     psi = (left - right) / 2;
     slip_cubic(left, u);
     slip_cubic(right, v);
     du = (3 + 12 * left * right) * (1 / 22.0) * growth;
   }
-  double beta, y, psi, u, v, du, sum = 0, end = 0, growth = 1;  // du: the derivative of u by y
+  double beta;
+  std::array<Cluster, 2> clusters;
+  double y, psi, u, v, du, sum = 0, end = 0, growth = 1;  // du: the derivative of u by y
+  double before[2] = {0, 0};                              // the x of each cluster
   double t() const { return u * u * (1 + 2 * v); }
   double omega() const { return std::sqrt((1 + 2 * u) * (1 + 2 * v)); }
 };
@@ -108,8 +151,11 @@ template <class Number>
   apart = step * slope * (3 * x - 2 * (x * x - product));
 }
 
+/// 1 + x where the distance from -1 is given beyond the cluster.
+double distance_before(const Cluster& c, double beyond);
+
 /// The distance 1 + y at which t is the given share, in [0, 1/2].
-double distance_of_share(double t, double beta = 0);
+double distance_of_share(double t, const SlipVariable& by = {});
 
 /// The nodes of both zones, n on the slip zone and m on the stick zone.
 struct Nodes {

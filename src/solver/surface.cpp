@@ -62,7 +62,8 @@ struct SurfaceHeat {
 
   double from(double behind, double ahead, double side) const {
     GradedRule graded;
-    grade(graded, conduction.peclet * zones.slip, 0, behind, ahead, rule, zones.beta);
+    grade(graded, conduction.peclet * zones.slip, 0, behind, ahead, rule,
+          side > 0 ? zones.variable : mirrored(zones.variable));
     if (side > 0) graded.cut(20 / conduction.slowest);
     return temperature_sum(conduction, graded, graded.heat * series(side, graded.y, h), side, 0);
   }
@@ -71,8 +72,8 @@ struct SurfaceHeat {
 SurfaceHeat surface_heat(const ZoneLengths& zones, const Conduction& conduction, const VectorXd& h,
                          const GaussLegendre& rule) {
   SurfaceHeat x{zones, conduction, h, rule};
-  grade(x.first, conduction.peclet * zones.slip, 0, 0, 2, rule, zones.beta);
-  x.last = x.first;
+  grade(x.first, conduction.peclet * zones.slip, 0, 0, 2, rule, zones.variable);
+  grade(x.last, conduction.peclet * zones.slip, 0, 0, 2, rule, mirrored(zones.variable));
   x.first.cut(20 / conduction.slowest);
   x.at_first = x.first.heat * series(1, x.first.y, h);
   x.at_last = x.last.heat * series(-1, x.last.y, h);
@@ -92,7 +93,8 @@ FromEnds from_ends(const ZoneLengths& at, double s) {
 /// 1 + y and 1 - y of a point in the zone.
 FromEnds in_y(const FromEnds& x, const ZoneLengths& at) {
   const double share = std::min({x.left, x.right, at.slip / 2}) / at.slip;
-  const double near = distance_of_share(share, at.beta);
+  const bool is_left = x.left < x.right;
+  const double near = distance_of_share(share, is_left ? at.variable : mirrored(at.variable));
   return x.left < x.right ? FromEnds{near, 2 - near} : FromEnds{2 - near, near};
 }
 
@@ -185,7 +187,7 @@ TemperatureAndSlope temperature_and_slope(const ZoneLengths& zones, const Conduc
   for (const double side : {1.0, -1.0}) {  // right, then left, mirrored
     if (side < 0 && left == 0) continue;
     grade(graded, conduction.peclet * slip, gap, side > 0 ? left : right, side > 0 ? right : left,
-          rule, zones.beta);
+          rule, side > 0 ? zones.variable : mirrored(zones.variable));
     if (side > 0) graded.cut(20 / conduction.slowest);
     const GradedArray value = series(side, graded.y, h), slope = series(side, graded.y, dh);
     const GradedArray m = temperature_kernel(conduction, side, graded.zeta);
@@ -198,7 +200,7 @@ TemperatureAndSlope temperature_and_slope(const ZoneLengths& zones, const Conduc
 TemperatureAndSlope with_series(TemperatureAndSlope sum, const ZoneLengths& zones, double y,
                                 const VectorXd& more) {
   if (more.size() == 0) return sum;
-  const SlipPoint at(1 + y, 1 - y, zones.beta);
+  const SlipPoint at(1 + y, 1 - y, zones.variable);
   const auto polynomials = legendre(ArrayXd::Constant(1, y), more.size());
   sum.value += polynomials.row(0).dot(more);
   sum.slope += polynomials.row(0).dot(derivative(more)) / (zones.slip * 6 * at.u * at.v * at.du);
@@ -243,7 +245,7 @@ HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
          hottest = more.size() > 0 ? temperature(-1).value : 0;
   for (int step = 0;; ++step) {
-    const SlipPoint at(1 + y, 1 - y, zones.beta);
+    const SlipPoint at(1 + y, 1 - y, zones.variable);
     const TemperatureAndSlope now = temperature(y);
     const double by_s = now.slope * zones.slip;
     const double slope = by_s * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
@@ -284,7 +286,7 @@ SmoothFlux smooth_flux(const Carter& c) {
 
 SmoothFlux smooth_flux(const CoupledSolution& x) {
   return {x.value(Quantity::slip_length), 1 + x.value(Quantity::stick_slip_border),
-          without_ripples(x.scene, x.h), x.beta};
+          without_ripples(x.scene, x.h), x.variable};
 }
 
 VectorXd without_ripples(const Scene& scene, const VectorXd& h) {
@@ -305,7 +307,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
   for (Index i = 0; i < own; ++i) some(i) = s(i * every);
   const ArrayXd y = gauss_legendre(4).x;
   for (Index i = 0; i < 4; ++i)
-    some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i), x.beta).t());
+    some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i), x.variable).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
     return surface_temperature(x.zones(), conduction, x.h, at, gauss_legendre(nodes));
   };
@@ -334,7 +336,7 @@ Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tol
     const double error = quadrature_error(nodes, std::abs(now.value - before.value), now.value);
     if (error <= tolerance * now.value || nodes >= most_unknowns) {
       const double moved = std::abs(now.y - before.y) + 1e-9;
-      const SlipPoint at(1 + now.y, 1 - now.y, x.beta);
+      const SlipPoint at(1 + now.y, 1 - now.y, x.variable);
       const double s = (x.stick - x.slip) / 2 + x.slip * at.t();
       const double at_error = 6 * x.slip * at.u * at.v * at.du * moved;
       return {s, at_error, {now.value, error}};

@@ -12,12 +12,12 @@
 namespace thermoroll {
 
 /// The heat flux (1 - c0) sqrt(t (1 - t)) h of @eq:h: the lengths of both zones, the Legendre
-/// coefficients of h, and beta of their variable.
+/// coefficients of h, and their variable.
 struct SmoothFlux {
   double slip, stick;
   Eigen::VectorXd h;
-  double beta = 0;
-  ZoneLengths zones() const { return {slip, stick, beta}; }
+  SlipVariable variable{};
+  ZoneLengths zones() const { return {slip, stick, variable}; }
 };
 
 /// T* and dT*/ds.

@@ -37,18 +37,19 @@ FurtherKernels kernels_further(const Conduction& c, const GradedArray& zeta, con
   return k;
 }
 
-void fill_slip_rows(const Sums& sums, Index target, ThermalTerms& thermal, MatrixXd& by_dh) {
-  const Index image = by_dh.rows() - 1 - target;
+void fill_own_row(const Sums& sums, Index target, ThermalTerms& thermal, MatrixXd& by_dh) {
+  thermal.f.row(target) = sums.row(0);
+  thermal.df.row(target) = sums.row(1);
+  by_dh.row(target) = sums.row(2);
+  thermal.g.row(target) += sums.row(3);
+  if (sums.rows() > node_weights) thermal.temperature.row(target) += sums.row(5);
+}
+
+void fill_row_of_image(const Sums& sums, Index image, ThermalTerms& thermal) {
   for (Index l = 0; l < sums.cols(); ++l) {
     const double sign = l % 2 == 0 ? 1 : -1;
-    thermal.f(target, l) = sums(0, l);
-    thermal.df(target, l) = sums(1, l);
-    by_dh(target, l) = sums(2, l);
-    thermal.g(target, l) += sums(3, l);
     thermal.g(image, l) += sign * sums(4, l);
-    if (sums.rows() == node_weights) continue;
-    thermal.temperature(target, l) += sums(5, l);
-    thermal.temperature(image, l) += sign * sums(6, l);
+    if (sums.rows() > node_weights) thermal.temperature(image, l) += sign * sums(6, l);
   }
 }
 
@@ -58,7 +59,7 @@ void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   const ArrayXd gap = z.d / slip, further = peclet * (gap - gap.minCoeff());
   GradedRule graded;
-  grade(graded, peclet, gap.minCoeff(), 0, 2, rule, z.zones.beta);
+  grade(graded, peclet, gap.minCoeff(), 0, 2, rule, z.zones.variable);
   const bool law = scene.law != nullptr;
   const FurtherKernels to_stick = kernels_further(conduction, graded.zeta, further, law);
   const MatrixXd heat = graded.heat.matrix().asDiagonal() * legendre(graded.y, thermal.f.cols());
@@ -95,10 +96,16 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
   Sums sums(columns, terms);
   MatrixXd by_dh(n, terms);
   for (Index i = 0; i < n; ++i) {
-    grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule, z.zones.beta);
+    grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule, z.zones.variable);
     kernel_weights(conduction, graded, columns, weights);
     legendre_sums(graded.y, weights, sums);
-    fill_slip_rows(sums, i, thermal, by_dh);
+    fill_own_row(sums, i, thermal, by_dh);
+    if (z.zones.variable.clusters[0].rate > 0) {
+      grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule, mirrored(z.zones.variable));
+      kernel_weights(conduction, graded, columns, weights);
+      legendre_sums(graded.y, weights, sums);
+    }
+    fill_row_of_image(sums, n - 1 - i, thermal);
   }
   thermal.df += by_derivatives(by_dh);
   if (m > 0) fill_stick_rows(thermal, scene, conduction, z, rule);

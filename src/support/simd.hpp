@@ -1,6 +1,7 @@
 // Tangled from paper/E-fast-kernels.md; edit there.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -59,6 +60,7 @@ inline constexpr double inverse_factorials[] = {
   y = (grown + grown / (1 + grown)) / 2;
   y = x < 0 ? -y : y;
 }
+inline void sinh_of(double x, double& y) { y = std::sinh(x); }
 
 }  // namespace thermoroll
 

@@ -309,10 +309,20 @@ Places scaled(const Places& x, double length, const ArrayXd& weights) {
 }
 
 /// The places of @eq:angles for the nodes y of a rule.
-Places slip_places(double length, double beta, const GaussLegendre& rule) {
+Places slip_places(double length, const SlipVariable& by, const GaussLegendre& rule) {
   const auto rise = [](const ArrayXd& eta) { return eta * (3 + (12 - 4 * eta) * eta) / 22; };
   ArrayXd left = 1 + rule.x, right = 1 - rule.x, weights = rule.w;
-  if (beta > 0) {  // psi = tanh(beta x) / tanh(beta)
+  for (std::size_t i = 2; i-- > 0;) {  // psi = place + width sinh(rate (x - middle))
+    const Cluster& c = by.clusters[i];
+    if (c.rate == 0) continue;
+    const double k = c.rate / 2;
+    const double at_left = c.rate * (1 + c.middle), at_right = c.rate * (1 - c.middle);
+    const ArrayXd x = c.rate * ((left - right) / 2 - c.middle);
+    weights *= c.width * c.rate * x.cosh();
+    left = 2 * c.width * (k * left).sinh() * ((x - at_left) / 2).cosh();
+    right = 2 * c.width * (k * right).sinh() * ((x + at_right) / 2).cosh();
+  }
+  if (const double beta = by.beta; beta > 0) {  // psi = tanh(beta x) / tanh(beta)
     const ArrayXd grown = (beta * left).sinh(), rest = (beta * right).sinh(), sum = grown + rest;
     left = 2 * grown / sum;
     right = 2 * rest / sum;
@@ -360,7 +370,7 @@ Tractions tractions_of(const Sample& x, const CoupledSolution& found, const Prof
   const Index n = found.unknowns, m = y.s.size() - n;
   const double near = std::min(slip, smooth_tractions(found, found.unknowns).layer);
   Tractions z{zone(m, [&](const GaussLegendre& r) { return stick_places(1 + c0, near, r); }),
-              zone(n, [&](const GaussLegendre& r) { return slip_places(slip, found.beta, r); }),
+              zone(n, [&](const GaussLegendre& r) { return slip_places(slip, found.variable, r); }),
               {},
               {},
               {}};

@@ -35,7 +35,7 @@ int main() {
     const Scene scene{0.7 + up_to(0.3), std::pow(10, 5 + up_to(1)), 0.8 + up_to(0.5)};
     const CoupledSolution x = solve_coupled(scene, {Formulation::corrected, 1e-4},
                                             {Quantity::stick_slip_border, -0.5 + up_to(0.5)});
-    std::printf("%d ", x.beta > 0);
+    std::printf("%d ", x.variable.beta > 0);
     for (const double value : x.value) std::printf("%a ", value);
     std::puts("");
   }

@@ -773,26 +773,77 @@ TEST(Coupled, MovedEndsLoseNoDigits) {
     double sum = 0;
     for (Eigen::Index i = 0; i < 100; ++i) {
       const double y = rule.x(i);
-      const thermoroll::SlipPoint at(1 + y, 1 - y, beta);
+      const thermoroll::SlipPoint at(1 + y, 1 - y, {beta});
       sum += at.du * rule.w(i);
       EXPECT_NEAR(at.psi, std::tanh(beta * y) / std::tanh(beta), 8 * epsilon);
     }
     EXPECT_NEAR(sum, 1, 200 * epsilon) << beta;
     for (double near = 0.25; near > 1e-15; near /= 8) {
-      const thermoroll::SlipPoint a(near, 2 - near, beta), b(2 * near, 2 - 2 * near, beta);
-      const thermoroll::SlipPoint c(2 - near, near, beta), d(2 - 2 * near, 2 * near, beta);
+      const thermoroll::SlipPoint a(near, 2 - near, {beta}), b(2 * near, 2 - 2 * near, {beta});
+      const thermoroll::SlipPoint c(2 - near, near, {beta}), d(2 - 2 * near, 2 * near, {beta});
       const double left = distance(a, b, near), right = distance(d, c, near);
       EXPECT_NEAR(right / left, 1, 64 * epsilon) << near;
       EXPECT_NEAR(left / (b.t() - a.t()), 1, 64 * epsilon) << near;
-      EXPECT_NEAR(thermoroll::distance_of_share(a.t(), beta) / near, 1, 64 * epsilon) << near;
+      EXPECT_NEAR(thermoroll::distance_of_share(a.t(), {beta}) / near, 1, 64 * epsilon) << near;
     }
     thermoroll::GradedRule graded;
-    grade(graded, 1e5, 0, 0, 2, rule, beta);
+    grade(graded, 1e5, 0, 0, 2, rule, {beta});
     const double delta = 6 * 22 * std::sqrt(1e-5 / 27) * std::sinh(2 * beta) / (2 * beta);
     for (Eigen::Index i = 0; i < 100; ++i) {
       const double step = delta * std::expm1(std::log1p(2 / delta) * rule.cube(i));
-      const double t = thermoroll::SlipPoint(step, 2 - step, beta).t();
+      const double t = thermoroll::SlipPoint(step, 2 - step, {beta}).t();
       EXPECT_NEAR(graded.zeta(i) / (1e5 * t), 1, 256 * epsilon) << beta << ' ' << step;
+    }
+  }
+}
+
+// @eq:cluster, alone and twice: psi is the function of y, the ends stay, the sum of all du is 1, y is
+// found again from t and from the mirrored 1 - t, however near to the end, and a graded rule has the same
+// points. The growth of psi is exp(k) at the ends, with two clusters the exponential of such a
+// number; clusters of these widths are integrated by 100 nodes.
+TEST(Coupled, ClustersLoseNoDigits) {
+  using thermoroll::SlipPoint;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(100);
+  for (const double place : {-0.98, -0.3, 0.6}) {
+    thermoroll::SlipVariable by;
+    by.clusters[0] = thermoroll::cluster_at(place, 0.02);
+    const auto& [at_place, width, rate, middle] = by.clusters[0];
+    EXPECT_EQ(at_place, place);
+    for (const bool twice : {false, true}) {
+      if (twice) by.clusters[1] = thermoroll::cluster_at(0.2, 0.1);
+      const thermoroll::SlipVariable image = mirrored(by);
+      const double by_rounding = 64 * epsilon;  // of u; in y it is larger where u hardly changes
+      double sum = 0;
+      for (Eigen::Index i = 0; i < 100; ++i) {
+        const double y = rule.x(i);
+        const SlipPoint at(1 + y, 1 - y, by), mirror(1 - y, 1 + y, image);
+        double x = y;
+        if (twice) {
+          const thermoroll::Cluster& c = by.clusters[1];
+          x = c.place + c.width * std::sinh(c.rate * (y - c.middle));
+        }
+        EXPECT_NEAR(at.psi, place + width * std::sinh(rate * (x - middle)), 64 * epsilon) << y;
+        EXPECT_NEAR(mirror.u, at.v, 64 * epsilon * at.v) << y;
+        const double by_t = at.t() < 0.5 ? distance_of_share(at.t(), by) - 1
+                                         : 1 - distance_of_share(mirror.t(), image);
+        EXPECT_NEAR(by_t, y, by_rounding / at.du);
+        sum += at.du * rule.w(i);
+      }
+      EXPECT_NEAR(sum, 1, 1e-12) << place;
+      for (double near = 0.25; near > 1e-15; near /= 8) {
+        const double t = SlipPoint(near, 2 - near, by).t();
+        EXPECT_NEAR(distance_of_share(t, by) / near, 1, 256 * epsilon) << near;
+      }
+      thermoroll::GradedRule graded;
+      for (const double left : {0.0, 0.7, 1.9}) {
+        grade(graded, 1e5, 0, left, 2 - left, rule, by);
+        const double from = SlipPoint(left, 2 - left, by).t();
+        for (Eigen::Index i = 0; i < 100; ++i) {
+          const double t = SlipPoint(1 + graded.y(i), 1 - graded.y(i), by).t();
+          EXPECT_NEAR(graded.zeta(i), 1e5 * (t - from), 1e5 * 256 * epsilon) << left << ' ' << i;
+        }
+      }
     }
   }
 }
@@ -804,7 +855,7 @@ TEST(Coupled, MovedEndsAgreeWithPlainOnes) {
     const thermoroll::Scene scene{0.8, peclet, 0.8};
     const CoupledSolution x =
         solve_coupled(scene, {Formulation::corrected, 1e-8}, {Quantity::traction, 0.4});
-    EXPECT_GT(x.beta, 1);
+    EXPECT_GT(x.variable.beta, 1);
     const double slip = x.value(Quantity::slip_length);
     thermoroll::GridSolution plain, coarser;
     for (const int n : {15, 30, 60, 120, 240}) {
@@ -828,7 +879,8 @@ TEST(Coupled, MovedEndsAgreeWithPlainOnes) {
   }
   const auto beta = [](double peclet, double heating) {
     const thermoroll::Scene plain{0.6, peclet, heating};
-    return solve_coupled(plain, {Formulation::corrected, 1e-3}, {Quantity::traction, 0.3}).beta;
+    const Prescribed traction{Quantity::traction, 0.3};
+    return solve_coupled(plain, {Formulation::corrected, 1e-3}, traction).variable.beta;
   };
   EXPECT_EQ(beta(4360, 0.0175), 0);
   EXPECT_EQ(beta(1e6, 0.5), 0) << "faint layers";

@@ -13,6 +13,7 @@
 #include "thermoroll/carter.hpp"
 #include "thermoroll/kernels.hpp"
 #include "thermoroll/scene.hpp"
+#include "thermoroll/slip_variable.hpp"
 
 namespace thermoroll {
 
@@ -121,7 +122,7 @@ struct CoupledSolution {
   Eigen::VectorXd h;                  ///< n Legendre coefficients in y of h, @eq:h
   std::vector<Violation> violations;  ///< why it is inadmissible; else empty
   std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for simpler models
-  double beta = 0;                    ///< of the variable y, @eq:angles
+  SlipVariable variable{};            ///< y of @eq:angles
   /// If friction depends on temperature and the traction is given: the largest traction, if there
   /// is one, and the branch.
   std::optional<TractionLimit> limit{};
@@ -185,7 +186,7 @@ struct FluxMap {
   Eigen::RowVectorXd kappa;  ///< the load ratio is 1 + kappa h
 };
 
-/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0 if beta = 0.
+/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0 if y = psi.
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 
 /// The heat flux v* p* of a solution.
@@ -210,8 +211,8 @@ struct SmoothTractions {
   double slip, stick;  ///< lengths of both zones
   Eigen::VectorXd h, pressure, stick_pressure, bracket;
   Eigen::VectorXd bound{}, stick_bound{};
-  double layer = 2;  ///< length beside the border that the nodes of the stick zone resolve
-  double beta = 0;   ///< of the variable y, @eq:angles
+  double layer = 2;         ///< length beside the border that the nodes of the stick zone resolve
+  SlipVariable variable{};  ///< y of @eq:angles
 };
 
 /// The profiles of a solution on a grid of n unknowns at its border; on a grid other than its own,

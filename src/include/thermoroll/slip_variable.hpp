@@ -1,0 +1,21 @@
+// Tangled from paper/12-coupled-problem.md; edit there.
+#pragma once
+
+#include <array>
+
+namespace thermoroll {
+
+/// x to place + width sinh(rate (x - middle)), @eq:cluster; the identity if the rate is 0.
+struct Cluster {
+  double place = 0, width = 0, rate = 0, middle = 0;
+  bool operator==(const Cluster&) const = default;
+};
+
+/// The variable y of @eq:angles: beta, and the clusters from psi on.
+struct SlipVariable {
+  double beta = 0;
+  std::array<Cluster, 2> clusters{};
+  bool operator==(const SlipVariable&) const = default;
+};
+
+}  // namespace thermoroll
