@@ -705,6 +705,7 @@ local function shortened(svg)
       return not svg:find("#" .. mark .. "['\"]") and "" or nil
     end)
   end
+  svg = svg:gsub("translate%(([%d.-]+),([%d.-]+)%)", function(x, y) return ("translate(%.1f,%.1f)"):format(x, y) end)
   svg = svg:gsub("<polygon([^>]*)%spoints = '([^'>]*)'%s*/>", "<path%1 d='M%2Z'/>")
   return (joined(svg):gsub("%sd='(M[%d%.,%sML-]*)Z?%s*'", function(path) return " d='" .. relative(path) .. "'" end)
     :gsub('<tspan font%-family="sans%-serif" >', "<tspan>"):gsub(">%s*\n%s*<", "><")
@@ -1066,7 +1067,7 @@ local function highlighted(lines, language, colour)
     local inside = line:match('^<span id="cb1%-%d+"><a [^>]*></a>(.*)</span>$') or line
     inside = inside:gsub('<span class="(%l%l)">([^<]*)</span>', function(class, words)
       return tags[class] and string.format("<%s>%s</%s>", tags[class], words, tags[class]) or words
-    end):gsub("&quot;", '"'):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")
+    end):gsub("&quot;", '"'):gsub("&#39;", "'"):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")
     table.insert(out, (inside:gsub("\u{E000}(.-)\u{E001}", function(id)
       return refers(id) and referred(id) or "@" .. id
     end)))

@@ -149,6 +149,7 @@ struct Jump {
 
 Jump jump_between(const FrictionLaw& law, double low, double high) {
   double at_low = law(low).slope, at_high = law(high).slope;
+  if (at_low == at_high) return {low, 0};
   for (int halving = 0; halving < 40; ++halving) {
     const double middle = (low + high) / 2, at_middle = law(middle).slope;
     const double below = std::abs(at_middle - at_low), above = std::abs(at_high - at_middle);
@@ -259,7 +260,7 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   return grid;
 }
 
-/// More nodes of the graded rules where the variable is not psi.
+/// More nodes of the graded rules where y is not psi; found by trial.
 int more_graded(const SlipVariable& by) {
   if (by.clusters[0].rate > 0) return 32;
   return by.beta > 0 ? 8 : 0;

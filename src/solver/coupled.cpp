@@ -264,7 +264,9 @@ Results error_of_correction(const Results& value, const Results& slope, const Re
   return error;
 }
 
-double remembered(const Convergence& at, bool crossing) {
+double remembered(const Convergence& at, bool layered, bool crossing) {
+  const double coarser = static_cast<double>(at.before) / at.n;
+  if (layered && !crossing) return coarser * coarser;
   return at.n > 200 || (crossing && !at.slow) ? 0.004 : 0.01;
 }
 
@@ -278,7 +280,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool layered = scene.law && level.kinks.empty() && decays_slowly(last.h, level.h);
   const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.variable.beta > 0};
-  const double part = remembered(grids, level.crossing.has_value());
+  const double part = remembered(grids, layered, level.crossing.has_value());
   const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
   const double speed = std::max(scene.peclet, peclet_2(scene));
@@ -294,7 +296,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
-    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + small;
+    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share);
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));

@@ -103,8 +103,7 @@ MatrixXd over_distances(const Nodes& z, const ArrayXd& weight) {
 }
 
 double distance_before(const Cluster& c, double beyond) {
-  const double place = std::asinh((beyond - 1 - c.place) / c.width) / c.rate;
-  const double x = 1 + c.middle + place;
+  const double x = 1 + c.middle + std::asinh((beyond - 1 - c.place) / c.width) / c.rate;
   double there = x;
   step_across(c, -1, there);
   return x - (there - beyond) / growth_at(c, x - 1);

@@ -73,13 +73,13 @@ struct GridRules {
   double layer;  // length of the layer ahead of the border
 };
 
-/// Of nodes about a place in (-1, 1), @eq:cluster.
+/// Of nodes about a place in [-1, 1], @eq:cluster.
 inline Cluster cluster_at(double place, double width) {
   const double a = std::asinh((1 + place) / width), b = std::asinh((1 - place) / width);
   return {place, width, (a + b) / 2, (a - b) / (a + b)};
 }
 
-/// That of the mirror image.
+/// The variable of the mirror image.
 inline SlipVariable mirrored(SlipVariable x) {
   for (Cluster& c : x.clusters) c = {-c.place, c.width, c.rate, -c.middle};
   return x;

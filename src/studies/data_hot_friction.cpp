@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solver/grid_solution.hpp"
 #include "studies/data.hpp"
 #include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
@@ -124,6 +125,34 @@ void temperatures_about_the_maximum(std::ostream& out) {
 }
 
 const FigureData hot_profile_b_data{"hot-profile-b", temperatures_about_the_maximum};
+
+std::vector<GridSolution> on_finer_grids(const std::vector<int>& unknowns, bool moved) {
+  Scene scene{paper::friction, 1e4, 0.0123, {1, 0.0123}};
+  scene.law = linear_friction({0.01, 0, 5e-4});
+  std::vector<GridSolution> all;
+  GridSolution level;
+  for (const int n : unknowns) {
+    ZoneLengths at{1.2, 0.8};
+    if (moved) at.variable = about_kinks(scene, level, n);
+    level = solve_on_grid(scene, Formulation::corrected, n, at, level);
+    all.push_back(level);
+  }
+  return all;
+}
+
+void errors_at_a_kink(std::ostream& out) {
+  row(out, "unknowns", "plain", "plain_estimate", "moved", "moved_estimate");
+  const std::vector<int> unknowns{12, 16, 20, 24, 32, 44, 64, 88, 128, 176, 256, most_unknowns};
+  const auto plain = on_finer_grids(unknowns, false), moved = on_finer_grids(unknowns, true);
+  const auto error = [&](const GridSolution& x) {
+    return std::abs(x.value(Quantity::traction) - moved.back().value(Quantity::traction));
+  };
+  for (std::size_t i = 1; i + 1 < unknowns.size(); ++i)
+    row(out, unknowns[i], error(plain[i]), error_of_kinks(plain[i]), error(moved[i]),
+        error_of_kinks(moved[i]));
+}
+
+const FigureData kinks_data{"kinks", errors_at_a_kink};
 
 void steel_with_falling_friction(std::ostream& out) {
   row(out, "$V$ (m/s)", "$\\mathrm{Pe}$", "$\\omega\\Lambda$", "largest $Q^*/f_0$ (%)",

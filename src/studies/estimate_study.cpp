@@ -47,6 +47,12 @@ void draw_law(Random& random, Scene& scene) {
   scene.law = laws[static_cast<int>(4 * random.uniform())];
 }
 
+void draw_reference(Random& random, Scene& scene) {
+  LawOfFriction law = *scene.law.target<LawOfFriction>();
+  law.of.reference = scene.friction / std::sqrt(scene.peclet) * random.log_uniform(1e-3, 1);
+  scene.law = law;
+}
+
 std::vector<Reported> quantities_of_the_study() {
   std::vector<Reported> all;
   for (const Reported& q : reported)
@@ -147,6 +153,7 @@ StudyScene study_scene(int number) {
   else if (kind != StudyKind::one_body)
     draw_second_body(random, kind, scene);
   if (kind != StudyKind::one_body && random.uniform() < 0.5) scene.direction = Direction::braking;
+  if (kind == StudyKind::law && random.uniform() < 0.5) draw_reference(random, scene);
   return {scene, {what, carter_values(carter(f, pull))(what)}, tolerance, kind};
 }
 

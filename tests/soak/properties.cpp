@@ -488,7 +488,8 @@ static std::string text_of_law(const Scene& scene) {
   if (law == nullptr) return "";
   return " --friction-law " + name_of(law_names, std::optional(law->kind)) +
          " --friction-temperature " + shortest(law->of.scale) + " --friction-floor " +
-         shortest(law->of.floor);
+         shortest(law->of.floor) + " --friction-reference-temperature " +
+         shortest(law->of.reference);
 }
 
 std::string text(const Sample& x) {
@@ -526,12 +527,14 @@ static Roller spread_roller(Random& random, double heating) {
   return {random.log_uniform(0.01, 100), heating * random.log_uniform(0.1, 10)};
 }
 
-/// Laws of each kind in turn; a quarter of the linear ones rise.
+/// Laws of each kind in turn; a quarter of the linear ones rise, and half have a reference
+/// temperature above that of the bulk.
 static LawOfFriction spread_law(Random& random, LawKind kind, double warm) {
   const bool rises = kind == LawKind::linear && random.one_of(4);
   const double scale = (rises ? -1 : 1) * warm * random.log_uniform(0.02, 20);
   const double most = kind == LawKind::piecewise_linear ? 1.5 : 0.9;
-  return {kind, {scale, rises ? 0 : random.uniform(0, most)}};
+  const double floor = rises ? 0 : random.uniform(0, most);
+  return {kind, {scale, floor, random.one_of(2) ? 0 : warm * random.log_uniform(1e-3, 1)}};
 }
 
 /// Of sixteen scenes one has a law of friction, one two bodies of different diffusivities, and one

@@ -797,10 +797,10 @@ TEST(Coupled, MovedEndsLoseNoDigits) {
   }
 }
 
-// @eq:cluster, alone and twice: psi is the function of y, the ends stay, the sum of all du is 1, y is
-// found again from t and from the mirrored 1 - t, however near to the end, and a graded rule has the same
-// points. The growth of psi is exp(k) at the ends, with two clusters the exponential of such a
-// number; clusters of these widths are integrated by 100 nodes.
+// @eq:cluster, alone and twice: psi is the function of y, the ends stay, the sum of all du is 1, y
+// is found again from t and from the mirrored 1 - t, however near to the end, and a graded rule has
+// the same points. The growth of psi is exp(k) at the ends, with two clusters the exponential of
+// such a number; clusters of these widths are integrated by 100 nodes.
 TEST(Coupled, ClustersLoseNoDigits) {
   using thermoroll::SlipPoint;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();

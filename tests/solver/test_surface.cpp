@@ -223,8 +223,7 @@ TEST(Surface, WeightsAreOverTheDistancesOfAllNodes) {
   for (const int n : {5, 6, 7, 8, 30})
     for (const thermoroll::SlipVariable& by : variables) {
       const thermoroll::GaussLegendre& rule = thermoroll::gauss_legendre(n);
-      const thermoroll::Nodes z =
-          place_nodes({0.7, 1.3, by}, rule, thermoroll::gauss_legendre(8));
+      const thermoroll::Nodes z = place_nodes({0.7, 1.3, by}, rule, thermoroll::gauss_legendre(8));
       const Eigen::ArrayXd weight = 1 + rule.rho;
       const Eigen::MatrixXd over = over_distances(z, weight);
       for (Eigen::Index i = 0; i < n; ++i)
