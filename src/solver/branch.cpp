@@ -211,15 +211,14 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     top.rho = place_of(top.local, 1, 0, std::max(before - room, top.sticks ? 0 : 1.0),
                        std::min(before + room, top.sticks ? 1 : 2.0));
     const Results now = derivative(top.local, 0, top.rho);
+    const GridSolution& near = points[0].solution;
     const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
-    const double part = part_with_law(level.h, points[0].solution.h);
-    const Results error = part * (now - last).abs() +
-                          bend * derivative(top.local, 1, top.rho).abs() +
-                          error_of_kinks(points[0].solution);
-    const bool kinked = !points[0].solution.kinks.empty();
-    const bool smooth = alone || kinked || !decays_slowly(level.h, points[0].solution.h);
+    const Results of_change = part_with_law(level.h, near.h) * (now - last).abs();
+    const Results error =
+        of_change + bend * derivative(top.local, 1, top.rho).abs() + error_of_kinks(near);
+    const bool resolved = alone || !near.kinks.empty() || !decays_slowly(level.h, near.h);
     const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
-    const double worst = smooth ? std::max(error(traction), rest) : 1;
+    const double worst = resolved ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);
     if (worst < tolerance)
       return {now(traction), now(creep), std::max(error(traction), tolerance / 10),

@@ -189,6 +189,14 @@ TemperaturesOnZone with_ends(const ContactGrid& grid, const ArrayXd& temperature
   return x;
 }
 
+ArrayXd friction_in_gaps(const ContactGrid& grid, const ArrayXd& pressure) {
+  const ArrayXd part = grid.hot->moment * pressure;
+  ArrayXd gaps(part.size() + 1);
+  gaps << part, part(part.size() - 1);
+  gaps.tail(part.size()) = gaps.tail(part.size()).max(part);
+  return gaps / part.sum();
+}
+
 double strain_of_zone(const Scene& scene, const ZoneLengths& at) {
   return scene.friction * heating_of_both(scene) * std::sqrt(at.slip * scene.peclet);
 }
@@ -402,21 +410,18 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
 std::vector<Kink> kinks_on(const ContactGrid& grid, const VectorXd& h) {
   const LawAtNodes at = friction_at_nodes(grid, 1, h);
   const auto [series, y, temperature] = with_ends(grid, at.temperature);
-  const ArrayXd part = grid.hot->moment * at.pressure, friction = part / part.sum();
+  const ArrayXd friction = friction_in_gaps(grid, at.pressure);
   const auto psi = [&](double place) {
     return SlipPoint(1 + place, 1 - place, grid.nodes.zones.variable).psi;
   };
   std::vector<Kink> kinks;
-  const Index last = friction.size() - 1;
-  for (Index i = 0; i <= last + 1; ++i) {
+  for (Index i = 0; i < friction.size(); ++i) {
     const auto [low, high] = std::minmax(temperature(i), temperature(i + 1));
     const Jump jump = jump_between(grid.scene.law, low, high);
     if (jump.size == 0) continue;
-    const double left = friction(std::max(i - 1, Index{0})), right = friction(std::min(i, last));
-    const double beside = std::max(left, right);
-    const double error = jump.size * (high - low) * beside / 12, step = psi(y(i + 1)) - psi(y(i));
-    kinks.push_back({psi(place_of(series, jump.temperature, y(i), y(i + 1))),
-                     12 * error / (step * step), error});
+    const double place = place_of(series, jump.temperature, y(i), y(i + 1));
+    const double step = psi(y(i + 1)) - psi(y(i)), lost = jump.size * (high - low) * friction(i);
+    kinks.push_back({psi(place), lost / (step * step), lost / 12});
   }
   return kinks;
 }

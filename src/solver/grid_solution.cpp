@@ -291,17 +291,15 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
 
 SlipVariable about_kinks(const Scene& scene, const GridSolution& from, int n) {
   SlipVariable by;
-  if (is_unlike(scene) || scene.bulk_difference != 0) return by;
   std::vector<Kink> kinks = from.kinks;
+  if (kinks.empty() || is_unlike(scene) || scene.bulk_difference != 0) return by;
   std::sort(kinks.begin(), kinks.end(), [](auto& a, auto& b) { return a.jump > b.jump; });
   auto& [first, second] = by.clusters;
   const double width = 0.6 / n;
+  first = cluster_at(kinks[0].place, width);
+  if (n < 100) return by;
   for (const Kink& kink : kinks) {
-    if (first.rate == 0) {
-      first = cluster_at(kink.place, width);
-      continue;
-    }
-    if (n < 100 || kink.jump < 16 * kinks[0].jump / (n * n)) break;
+    if (kink.jump < 16 * kinks[0].jump / (n * n)) break;
     if (std::abs(kink.place - first.place) < 2 * width) continue;
     const double before = distance_before(first, 1 + kink.place) - 1;
     second = cluster_at(before, width / growth_at(first, before));

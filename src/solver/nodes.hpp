@@ -94,7 +94,7 @@ template <class Number>
   step = 2 * c.width * half * (1 + 2 * middle * middle);
 }
 
-/// Its derivative.
+/// The derivative by x; 1 without a cluster.
 inline double growth_at(const Cluster& c, double x) {
   return c.rate > 0 ? c.width * c.rate * std::cosh(c.rate * (x - c.middle)) : 1;
 }
