@@ -126,8 +126,8 @@ end
 --- Bytes as base64, by which a data: URI takes least room.
 local function base64(bytes) return pandoc.pipe("base64", { "-w0" }, bytes) end
 
---- A text as gzip packs it: without a name and a time, so that it is the same each time.
-local function packed(text) return base64(pandoc.pipe("gzip", { "-9", "-n" }, text)) end
+--- A text as xz packs it, a quarter shorter than gzip; by one thread, so that it is the same each time.
+local function packed(text) return base64(pandoc.pipe("xz", { "-9e", "-T1" }, text)) end
 
 -- 1. Labels: what can be referred to, and what it is called -----------------------------------------
 
@@ -787,7 +787,7 @@ local function figure(image)
   local svg, data = part("build/figures/" .. name .. ".svg"), part("build/data/" .. name .. ".csv")
   table.insert(drawn, { name = name, id = id, drawer = svg:match("<desc>Produced by (.-)%s*</desc>") })
   local sources = string.format(' <span class="sources">%s '
-    .. '<a href="data:application/gzip;base64,%s" download="%s.csv.gz">data</a> %s %s</span>',
+    .. '<a href="data:application/x-xz;base64,%s" download="%s.csv.xz">data</a> %s %s</span>',
     link("script:" .. name, "script"), packed(data), name, link("command:" .. name, "command"), link("check:" .. name, "test"))
   local text = caption("Figure", number, image.caption)
   text:insert(pandoc.RawInline("html", sources))

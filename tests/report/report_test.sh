@@ -279,7 +279,7 @@ DrawingsHaveFourLinks() {
   figures=$(xpath "//*[@class='drawing']/following-sibling::*/*[@class='sources']/*[1]/@href" | sed 's/.*"#script:\(.*\)"/\1/')
   [ "$(wc -w <<<"$figures")" -gt 30 ] || fail "hardly any drawing"
   for name in $figures; do
-    for target in "href=\"#command:$name\"" "href=\"#check:$name\"" "download=\"$name.csv.gz\"" \
+    for target in "href=\"#command:$name\"" "href=\"#check:$name\"" "download=\"$name.csv.xz\"" \
       "id=\"command:$name\">make build/figures/$name.svg<" "id=\"check:$name\">ctest"; do
       grep -qF "$target" "$report" || fail "the drawing $name lacks $target"
     done

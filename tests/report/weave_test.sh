@@ -399,13 +399,13 @@ END
 DrawingsAreShort() {
   draw one
   sed -i "s|d='M0,0 L2,2'|d='M0,0 L1,1.02 L2,2 L3,0.5 L4,0.5 M7,7 L8,7 L9,7'|
-    s|</g></svg>|<g transform=\"translate(1.00,2.00)\" stroke=\"none\" fill=\"currentColor\"  text-anchor=\"end\"><text><tspan> 5</tspan></text></g></g></svg>|
+    s|</g></svg>|<g transform=\"translate(1.04,1.96)\" stroke=\"none\" fill=\"currentColor\"  text-anchor=\"end\"><text><tspan> 5</tspan></text></g></g></svg>|
     s|<g fill=\"none\"|<title>one_plot_2a</title><title>curve</title>&|" build/figures/one.svg
   chapter <<'END'
 ![C.](figures/one.svg){#fig:one fig-alt="A"}
 END
   expect 'Figure 1. C.'
-  expect_html "d='m0 0 2 2 1-1.5 1 0m3 6.5 2 0'" '<text transform="translate(1.00,2.00)" text-anchor="end">5</text>' '<title>curve</title>'
+  expect_html "d='m0 0 2 2 1-1.5 1 0m3 6.5 2 0'" '<text transform="translate(1.0,2.0)" text-anchor="end">5</text>' '<title>curve</title>'
   ! grep -q one_plot_2a page.html || fail "gnuplot's name of a curve is in the page"
 }
 
@@ -534,7 +534,7 @@ END
     "stroke='currentColor'" "color='var(--ink-0072b2)'" "<g><path d='m0 0 2 2'/></g>" \
     "<path fill = 'var(--ink-009e73)' d='m0 0 2 0 0 2m2-2 2 0 0 2'/><path fill = 'var(--ink-0072b2)' d='m0 4 2 0 0 2'/>" \
     'viewBox="0 0 600 400" fill="none" stroke="currentColor" stroke-width="0.8" stroke-linecap="round"' 'id="script:f"' \
-    'download="f.csv.gz"'
+    'download="f.csv.xz"'
   if grep -q 'fill="#ffffff"' page.html; then fail "the white ground is still there"; fi
 }
 
@@ -547,8 +547,8 @@ DataUnpackToTheFile() {
   for bytes in 0 1 2 3000; do
     { printf 'x,y\n'; head -c "$bytes" /dev/urandom; } >build/data/f.csv
     weave page.html one.md
-    link=$(grep -o 'data:application/gzip;base64,[^"]*' page.html)
-    base64 -d <<<"${link#*,}" | gunzip | cmp - build/data/f.csv || fail "$bytes bytes are others"
+    link=$(grep -o 'data:application/x-xz;base64,[^"]*' page.html)
+    base64 -d <<<"${link#*,}" | xz -d | cmp - build/data/f.csv || fail "$bytes bytes are others"
     [ "$(base64 -d <<<"${link#*,}" | od -An -tx1 -N8)" = ' 1f 8b 08 00 00 00 00 00' ] || fail "a name or a time is packed"
   done
 }
