@@ -214,8 +214,8 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const GridSolution& near = points[0].solution;
     const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
     const Results of_change = part_with_law(level.h, near.h) * (now - last).abs();
-    const Results error =
-        of_change + bend * derivative(top.local, 1, top.rho).abs() + error_of_kinks(near);
+    const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
+    const Results error = of_change + of_place + error_of_kinks(near) * scale_of(now);
     const bool resolved = alone || !near.kinks.empty() || !decays_slowly(level.h, near.h);
     const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
     const double worst = resolved ? std::max(error(traction), rest) : 1;

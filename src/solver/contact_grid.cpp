@@ -149,15 +149,16 @@ struct Jump {
 
 Jump jump_between(const FrictionLaw& law, double low, double high) {
   double at_low = law(low).slope, at_high = law(high).slope;
-  if (at_low == at_high) return {low, 0};
-  for (int halving = 0; halving < 40; ++halving) {
+  const double least = 1e-9 * (std::abs(at_low) + std::abs(at_high));
+  for (int halving = 0; halving < 40 && at_low != at_high; ++halving) {
     const double middle = (low + high) / 2, at_middle = law(middle).slope;
     const double below = std::abs(at_middle - at_low), above = std::abs(at_high - at_middle);
     if (std::min(below, above) >= std::max(below, above) / 4) return {middle, 0};
     (below > above ? high : low) = middle;
     (below > above ? at_high : at_low) = at_middle;
   }
-  return {low, std::abs(at_high - at_low)};
+  const double jump = std::abs(at_high - at_low);
+  return {low, jump > least ? jump : 0};
 }
 
 /// The y between two at which a Legendre series has a value.

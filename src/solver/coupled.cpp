@@ -93,6 +93,8 @@ double error_of_leading_edge(const ZoneLengths& at, int n) {
   const double eps = at.stick / at.slip;
   const std::complex<double> u(0, std::sqrt(eps / 3));
   std::complex<double> y = (std::sqrt(9.0 + 1056.0 * u) - 3.0) / 24.0 - 1.0;
+  for (const Cluster& c : at.variable.clusters)
+    if (c.rate > 0) y = c.middle + std::asinh((y - c.place) / c.width) / c.rate;
   const double beta = at.variable.beta;
   if (beta > 0) y = std::atanh(y * std::tanh(beta)) / beta;
   const auto root = std::sqrt(y * y - 1.0);
@@ -292,7 +294,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
     left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + small;
-  if (level.crossing && !layered && level.kinks.empty()) {
+  if (level.crossing && !layered) {
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);

@@ -56,6 +56,13 @@ double place_in(const SlipVariable& by, const SlipPoint& at) {
   return t < rest ? distance_of_share(t, by) - 1 : 1 - distance_of_share(rest, mirrored(by));
 }
 
+/// The hottest point, from which to search; another variable has another curvature.
+HottestPoint peak_in(const SlipVariable& by, const GridSolution& x) {
+  const SlipVariable& own = x.at.variable;
+  if (by == own) return x.peak;
+  return {place_in(by, SlipPoint(1 + x.peak.y, 1 - x.peak.y, own)), 0, x.peak.curvature};
+}
+
 /// The coefficients of the h of a solution with as many unknowns or fewer.
 VectorXd carried_to(const ContactGrid& grid, const GridSolution& from) {
   const SlipVariable &own = grid.nodes.zones.variable, &other = from.at.variable;
@@ -150,8 +157,8 @@ HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSo
     return find_hottest(grid.nodes.zones, conduction, smooth, from, rule_for_hottest(grid), more);
   };
   const bool first = last.newton_steps == 0;
-  HottestPoint top =
-      search(first ? expected_hottest(grid.nodes.zones, conduction.peclet) : last.peak);
+  HottestPoint top = search(first ? expected_hottest(grid.nodes.zones, conduction.peclet)
+                                  : peak_in(grid.nodes.zones.variable, last));
   const std::vector<Index> maxima = flux_maxima(grid, h);
   if (maxima.size() < 2 || maxima.size() > 8) return top;
   for (const Index i : maxima) {

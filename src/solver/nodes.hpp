@@ -167,7 +167,7 @@ struct Nodes {
   Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
 };
 
-/// The ten Legendre coefficients of Carter's h for beta = 0.
+/// The ten Legendre coefficients of Carter's h for y = psi.
 Eigen::VectorXd carter_h(const ZoneLengths& at, double friction);
 
 /// The nodes of both zones of these lengths.
