@@ -10,6 +10,7 @@
 
 #include <Eigen/LU>
 
+#include "solver/exchange.hpp"
 #include "solver/grid_solution.hpp"
 #include "support/number_text.hpp"
 
@@ -32,7 +33,7 @@ struct CreepCurve {
 
 GridSolution solution_on(CreepCurve& curve, double rho, const GridSolution& from) {
   const auto& [scene, formulation, n, known, unused] = curve;
-  const SlipVariable by = about_kinks(scene, from, n);
+  const SlipVariable by = about_kinks(from, n);
   if (rho < 1)
     return solve_on_grid(scene, formulation, n, {2 * rho * rho, 2 - 2 * rho * rho, by}, from);
   if (known == 0) {
@@ -55,7 +56,7 @@ using Points = std::vector<OnCurve>;
 
 /// By more than rounding.
 bool is_lower(const OnCurve& a, const OnCurve& b) {
-  return a.traction() < (1 - 1e-9) * b.traction();
+  return a.traction() < b.traction() - 1e-9 * std::abs(b.traction());
 }
 
 struct CurveSamples {
@@ -84,7 +85,8 @@ GridSolution continued(const Points& points, double rho) {
 
 CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) {
   CurveSamples x{curve};
-  const double share = std::min(asked / curve.scene.friction, 0.8);
+  const double more = beyond_no_slip(curve.scene, {traction, asked}).value;
+  const double share = std::clamp(more / curve.scene.friction, 1e-6, 0.8);
   const double first = std::sqrt(share / (1 + std::sqrt(1 - share)));  // slip is 2 first^2
   const auto falls = [&](std::size_t i) { return is_lower(x.points[i], x.points[i - 1]); };
   for (const double place :
@@ -215,14 +217,15 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
     const Results of_change = part_with_law(level.h, near.h) * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
-    const Results error = of_change + of_place + error_of_kinks(near) * scale_of(now);
+    const Results scale = scale_in(curve.scene, now);
+    const Results error = of_change + of_place + error_of_kinks(near) * scale;
     const bool resolved = alone || !near.kinks.empty() || !decays_slowly(level.h, near.h);
-    const double rest = n == most_unknowns ? 0 : error(creep) / now(creep);
+    const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
     const double worst = resolved ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);
     if (worst < tolerance)
       return {now(traction), now(creep), std::max(error(traction), tolerance / 10),
-              std::max(error(creep), tolerance / 10 * now(creep))};
+              std::max(error(creep), tolerance / 10 * scale(creep))};
     last = now;
     level = points[0].solution;
   }
@@ -272,14 +275,14 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     const GridSolution last = level;
     const Results step = slope * residual(last, given);
     ZoneLengths at = moved_by(last.at, last.at.stick == 0 ? 0 : step(stick_slip_border));
-    at.variable = variable_after(scene, last, n);
+    at.variable = variable_after(last, n);
     const double next = last.value(creep) + step(creep);
     level = last.at.stick == 0 ? solve_slipping_grid(slipping, n, next, last, at.variable)
                                : solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) break;
     const double moved = level.value(traction) - last.value(traction);
     if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;
-    const Results carried = slope * residual(level, given) / scale_of(level.value);
+    const Results carried = slope * residual(level, given) / scale_in(scene, level.value);
     const double room = std::min(last.at.stick, last.at.slip);
     const bool far = k == 0 && std::abs(level.at.c0() - last.at.c0()) > 0.1 * room;
     if ((far ? 0.4 : 0.02) * carried.head(compared).abs().maxCoeff() < share) break;

@@ -269,7 +269,6 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   return grid;
 }
 
-/// More nodes of the graded rules where y is not psi; found by trial.
 int more_graded(const SlipVariable& by) {
   if (by.clusters[0].rate > 0) return 32;
   return by.beta > 0 ? 8 : 0;
@@ -282,6 +281,7 @@ GridRules rules_of(const Scene& scene, const ZoneLengths& zones, int n) {
                      layer_ahead(n, scene.peclet));
   const Conduction conduction(scene, false);
   int more = static_cast<int>(8 - 8 * std::log10(std::max(conduction.slowest, 1e-30)));
+  more += more_graded(zones.variable);
   if (friction_crosses) more += n / 2;
   if (bulk && !friction_crosses) more += std::max(0, n - 48) / 2;
   const bool strained = bulk && !friction_crosses && zones.stick > 0;

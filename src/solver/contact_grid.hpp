@@ -43,6 +43,9 @@ struct ContactGrid {
 
 double crowding(const Scene& scene, Formulation formulation, const ZoneLengths& at);
 
+/// More nodes of the graded rules where y is not psi; found by trial.
+int more_graded(const SlipVariable& by);
+
 /// chi of @eq:strain-of-zone, and the chi from which the ends of the zone have layers that the
 /// cubics do not resolve.
 double strain_of_zone(const Scene& scene, const ZoneLengths& at);

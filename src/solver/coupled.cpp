@@ -32,6 +32,20 @@ Carter nearest_carter(const Scene& scene, const Prescribed& given) {
   return carter_given(scene.friction, near);
 }
 
+Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
+                      const Results& slope) {
+  Results error = Results::Zero();
+  const auto x = bulk_exchange(scene, level.h.size());
+  if (!x) return error;
+  error(traction) = x->rest.traction_error;
+  error(creep) = error(creep_constant) = x->rest.creep_error;
+  error(max_temperature) = x->temperature_error;
+  error(heat_integral) = scene.friction * level.value(slip_length) * x->rest.creep_error;
+  error += slope.abs() * error(given.quantity);
+  error(given.quantity) = 0;
+  return std::abs(scene.bulk_difference) * error;
+}
+
 /// Large f H, or a zone of less than a twentieth of the contact.
 bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
   const bool short_zone = at.stick > 0 && std::min(at.slip, at.stick) < 0.1;
@@ -240,9 +254,10 @@ struct Refinement {
 double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
   const double speed = std::max(scene.peclet, scene.roller.peclet);
   const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * speed) : 0;
-  if (scene.bulk_difference != 0) return resolved < 1 ? 4 : slow ? 1 : 0.5;
-  if (resolved < 1) return 2;
-  return resolved < 10 ? 0.5 : 0.4;
+  const bool bulk = scene.bulk_difference != 0;
+  if (resolved < 1) return bulk ? 4 : 2;
+  if (bulk && slow) return 1;
+  return resolved < 10 ? 0.5 : 0.25;
 }
 
 /// The unknowns of the first grid whose error can be told, after a coarse one.
@@ -299,9 +314,11 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share);
+    if (flat && n <= 200) left(max_temperature) = std::max(left(max_temperature), now / (n * n));
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
+  left += error_of_bulk(scene, level, given, slope) / scale;
   return {value, change, left + rounding(given, slope, scale)};
 }
 
@@ -323,7 +340,7 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
     const GridSolution last = level;
     const double step = within_contact(slope(stick_slip_border) * residual(last, given), last.at);
     ZoneLengths at = moved_by(last.at, step);
-    at.variable = variable_after(scene, last, n);
+    at.variable = variable_after(last, n);
     level = solve_on_grid(scene, formulation, n, at, last);
     if (level.newton_steps == 0) break;
     const double moved = level.value(given.quantity) - last.value(given.quantity);
@@ -585,14 +602,14 @@ CrossingFlux flux_for_depths(const Scene& scene, Formulation formulation, const 
   const ArrayXd s = ArrayXd::LinSpaced(40, -1, 1);
   const auto solved_with = [&](int nodes, ArrayXd& temperature) {
     auto all = exchanged_fluxes(scene, formulation, by, nodes);
-    for (const ExchangedFlux& e : all)
-      temperature += temperature_of(e, scene.peclet, s, gauss_legendre(96));
+    for (const ExchangedFlux& e : all) temperature += temperature_of(e, scene.peclet, s);
     return all;
   };
   ArrayXd coarse = ArrayXd::Zero(s.size()), fine = coarse;
-  solved_with(60, coarse);
+  const int n = std::max(60, static_cast<int>(by.h.size()));
+  solved_with(n, coarse);
   CrossingFlux crossing;
-  for (const ExchangedFlux& e : solved_with(80, fine))
+  for (const ExchangedFlux& e : solved_with(std::min(4 * n / 3, most_unknowns), fine))
     for (const HeatFlux& zone : heat_fluxes(e)) crossing.zones.push_back(zone);
   crossing.error = (fine - coarse).abs().maxCoeff();
   return crossing;

@@ -62,7 +62,7 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
 GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   const double full_slip_creep = curve.all_slips / std::max(2 - w, 1e-8);
   const auto from = [&](const GridSolution& start) {
-    const SlipVariable by = about_kinks(curve.scene, start, n);
+    const SlipVariable by = about_kinks(start, n);
     return w < 1 ? solve_on_grid(curve.scene, curve.formulation, n, {2 * w * w, 2 - 2 * w * w, by},
                                  start)
                  : solve_slipping_grid(curve.slipping, n, full_slip_creep, start, by);

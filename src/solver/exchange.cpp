@@ -39,15 +39,17 @@ ExchangingPair exchanging_pair(const Scene& scene, Formulation formulation) {
 }
 
 /// The map of a zone: its length, the fineness of the stick zone's exponential (zero on the slip
-/// zone, which has the cubic), and whether it has both edges.
+/// zone, which has the cubic), whether it has both edges, and the slip zone's variable.
 struct ZoneMap {
   double length, fine;
   bool two_edges;
+  SlipVariable variable{};
   bool slips() const { return fine == 0; }
+  bool clusters() const { return variable.clusters[0].rate > 0; }
   double growth() const { return std::log1p(1 / fine); }
 };
 
-ZoneMap slip_map(const ZoneLengths& at) { return {at.slip, 0, at.stick == 0}; }
+ZoneMap slip_map(const ZoneLengths& at) { return {at.slip, 0, at.stick == 0, at.variable}; }
 
 ZoneMap stick_map(const ZoneLengths& at) {
   return {at.stick, std::min(1.0, std::sqrt(at.slip / at.stick)), false};
@@ -70,7 +72,20 @@ struct ZonePoints {
   GradedArray u, v, du;
 };
 
+ZonePoints clustered_points(const SlipVariable& variable, const GradedArray& left,
+                            const GradedArray& right) {
+  ZonePoints all{left, left, left};
+  for (Index i = 0; i < left.size(); ++i) {
+    const SlipPoint at(left[i], right[i], variable);
+    all.u[i] = at.u;
+    all.v[i] = at.v;
+    all.du[i] = at.du;
+  }
+  return all;
+}
+
 ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
+  if (zone.clusters()) return clustered_points(zone.variable, left, right);
   if (zone.slips()) {
     ZonePoints at{{}, {}, (3 + 12 * left * right) / 22};
     slip_cubic(left, at.u);
@@ -97,7 +112,7 @@ struct Target {
 
 /// Whether the rule that goes upstream from a target serves the mirrored target as well.
 bool mirrors(const ZoneMap& zone, const Target& from) {
-  return zone.slips() && from.left > 0 && from.right > 0;
+  return zone.slips() && !zone.clusters() && from.left > 0 && from.right > 0;
 }
 
 /// Positions x, distances from the target, weights of a(x) and of h; whether it goes upstream; and
@@ -107,6 +122,14 @@ struct ZoneRule {
   bool upstream;
   GradedArray mirrored{};
 };
+
+/// The steps in psi for steps in x from a point.
+GradedArray across_clusters(const SlipPoint& from, GradedArray step) {
+  for (std::size_t i = 2; i-- > 0;)
+    if (from.clusters[i].rate > 0)
+      for (double& one : step) step_across(from.clusters[i], from.before[i], one);
+  return step;
+}
 
 /// The rule from a target towards the edge (side = 1) or the border (-1).
 ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int side,
@@ -123,7 +146,9 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const double middle = (from.left - from.right) / 2;
   ZoneRule graded{middle + side * step, {}, {}, {}, (side > 0) == zone.slips()};
   const ZonePoints to = zone_points(zone, from.left + side * step, from.right - side * step);
-  GradedArray far = step * (15 - 4 * (middle * (middle + graded.x) + graded.x.square())) / 22;
+  const SlipPoint own(from.left, from.right, zone.variable);
+  const GradedArray ahead = across_clusters(own, side * step), psi = own.psi + ahead;
+  GradedArray far = side * ahead * (15 - 4 * (own.psi * (own.psi + psi) + psi.square())) / 22;
   if (!zone.slips())
     far = side * (u + zone.fine) * exponentials_less_one(side * zone.growth() / 2 * step);
   const auto near_border = to.u + u < 1;
@@ -231,7 +256,7 @@ ExchangeRows exchange_rows(const ExchangingPair& pair, const Nodes& z, const Gau
 MatrixXd slopes_at_nodes(const Nodes& z, const GaussLegendre& rule, const MatrixXd& values) {
   VectorXd dy_ds(z.y.size());
   for (Index i = 0; i < dy_ds.size(); ++i) {
-    const SlipPoint at(1 + z.y(i), 1 - z.y(i));
+    const SlipPoint at(1 + z.y(i), 1 - z.y(i), z.zones.variable);
     dy_ds(i) = 1 / (z.zones.slip * 6 * at.u * at.v * at.du);
   }
   const MatrixXd series = to_legendre(rule) * values;
@@ -276,6 +301,11 @@ BulkExchange solve_bulk(const Scene& scene, int n) {
   bulk.edge = x.edge(0);
   bulk.rest.creep = z.over_root.dot(strain) / pi;
   bulk.rest.traction = z.over_root.cwiseProduct(z.s.matrix()).dot(strain);
+  const double least = 0.4 * std::pow(n, -5);
+  const double part = (tail(bulk.flux) + tail(bulk.strain) / 200 + least) / 2;
+  bulk.rest.traction_error = part * std::abs(bulk.rest.traction);
+  bulk.rest.creep_error = part * std::abs(bulk.rest.creep);
+  bulk.temperature_error = tail(bulk.temperature) / 4 + least;
   return bulk;
 }
 
@@ -306,7 +336,7 @@ EdgeDistances edge_distances(const Nodes& z) {
   at.left << z.zones.stick + z.zones.slip * z.t, z.zones.stick - z.d;
   at.right.tail(m) = z.zones.slip + z.d;
   for (Index i = 0; i < n; ++i)  // 1 - t with its digits
-    at.right(i) = z.zones.slip * SlipPoint(1 - z.y(i), 1 + z.y(i)).t();
+    at.right(i) = z.zones.slip * SlipPoint(1 - z.y(i), 1 + z.y(i), mirrored(z.zones.variable)).t();
   return at;
 }
 
@@ -320,7 +350,9 @@ Target seen_from(const ZoneMap& zone, double from_border) {
   const double t = from_border / zone.length;
   if (t <= 0) return {0, 2, -from_border};
   if (t >= 1) return {2, 0, from_border - zone.length};
-  const double share = std::min(t, 1 - t), near = distance_of_share(share);
+  const SlipVariable& by = zone.variable;
+  const double share = std::min(t, 1 - t);
+  const double near = distance_of_share(share, t < 0.5 ? by : mirrored(by));
   if (zone.slips()) return t < 0.5 ? Target{near, 2 - near, 0} : Target{2 - near, near, 0};
   double u = 0;
   slip_cubic(near, u);
@@ -361,7 +393,7 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
   const ExchangingPair pair = exchanging_pair(scene, formulation);
   const Index n = z.y.size(), m = z.d.size();
   const double fastest = std::max(pair.peclet, pair.peclet_2) * std::max(z.zones.slip, 1.0);
-  const double more = 8 + 5 * decades_beyond(fastest);
+  const double more = 8 + 5 * decades_beyond(fastest) + more_graded(z.zones.variable);
   const double nodes = std::min(static_cast<double>(std::max(n, m)) + more, most_unknowns + 24.0);
   const ExchangeRows rows =
       exchange_rows(pair, z, rules.stick, terms, rounded_up(4, static_cast<int>(nodes)));
@@ -394,7 +426,7 @@ int edge_unknowns(const Scene& scene) {
 
 std::shared_ptr<const BulkExchange> bulk_exchange(const Scene& scene, Index unknowns) {
   if (scene.bulk_difference == 0) return nullptr;
-  const int n = std::max(static_cast<int>(unknowns), edge_unknowns(scene)) + 20;
+  const int n = std::max(static_cast<int>(unknowns), edge_unknowns(scene) + 20);
   return bulk_on(scene, std::min(n, most_unknowns));
 }
 
@@ -418,12 +450,11 @@ BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation form
 NoSlip no_slip(const Scene& scene, double tolerance) {
   NoSlip now;
   if (scene.bulk_difference == 0) return now;
-  for (int more = 0; more <= 140; more = 2 * more + 20) {
-    const NoSlip last = now, rest = bulk_on(scene, edge_unknowns(scene) + more)->rest;
-    now.traction = scene.bulk_difference * rest.traction;
-    now.creep = scene.bulk_difference * rest.creep;
-    now.traction_error = std::abs(now.traction - last.traction);
-    now.creep_error = std::abs(now.creep - last.creep);
+  const double size = std::abs(scene.bulk_difference);
+  for (const int more : {20, 60, 140}) {
+    const NoSlip& rest = bulk_on(scene, edge_unknowns(scene) + more)->rest;
+    now = {scene.bulk_difference * rest.traction, scene.bulk_difference * rest.creep,
+           size * rest.traction_error, size * rest.creep_error};
     if (std::max(now.traction_error, now.creep_error) <= tolerance * std::abs(now.creep)) break;
   }
   return now;
@@ -489,6 +520,12 @@ ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const ArrayXd& s,
       temperature(i) += temperature_by(sticks, peclet, seen_from(sticks, c0 - s(i)), x.stick, rule);
   }
   return temperature;
+}
+
+ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const ArrayXd& s) {
+  const auto terms = static_cast<int>(std::max(x.slip.size(), x.stick.size()));
+  const int nodes = terms + 16 + more_graded(x.at.variable);
+  return temperature_of(x, peclet, s, rounded_up(8, std::clamp(nodes, 96, most_unknowns + 24)));
 }
 
 }  // namespace thermoroll

@@ -45,12 +45,14 @@ void add_exchange(const Exchange& x, ThermalTerms& to);
 /// For a bulk difference of one, by the corrected equations and driving. The coefficients of
 /// @eq:exchange-series, and those of Legendre's polynomials in the y of a slip zone that is the
 /// whole contact: of F, the strain, T*, and p-hat less 2 kappa / pi without the roots at its edges.
+/// Estimated errors of rest and T*.
 struct BulkExchange {
   Eigen::VectorXd flux, slope, strain, temperature, pressure;
   double root_1 = 0, root_2 = 0;  // of sqrt(1 + s) and sqrt(1 - s) in F
   double kappa = 0, gamma0 = 0;
-  double heat = 0, edge = 0;  // the integral of E, and C
-  NoSlip rest{};              // @eq:no-slip
+  double heat = 0, edge = 0;   // the integral of E, and C
+  NoSlip rest{};               // @eq:no-slip
+  double temperature_error = 0;
 };
 
 /// The unknowns of a grid that begins to resolve the layers at the edges; 30 to 120.
@@ -82,5 +84,8 @@ std::vector<HeatFlux> heat_fluxes(const ExchangedFlux& x);
 /// nodes.
 Eigen::ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const Eigen::ArrayXd& s,
                               const GaussLegendre& rule);
+
+/// The same by a rule that resolves the flux.
+Eigen::ArrayXd temperature_of(const ExchangedFlux& x, double peclet, const Eigen::ArrayXd& s);
 
 }  // namespace thermoroll

@@ -148,7 +148,7 @@ CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, do
   return refine(scene, approach, {Quantity::creep, creep}, level, slope,
                 [&](int finer, const GridSolution& last) {
                   SlippingGrids once{scene, formulation};
-                  const SlipVariable by = variable_after(scene, last, finer);
+                  const SlipVariable by = variable_after(last, finer);
                   GridSolution x = solve_slipping_grid(once, finer, creep, last, by);
                   forget_the_edge(x, 0.5 * std::sqrt(approach.tolerance));
                   return x;

@@ -61,4 +61,9 @@ VectorXd to_legendre(const GaussLegendre& rule, const VectorXd& values) {
   return c;
 }
 
+double tail(const VectorXd& coefficients) {
+  const VectorXd last = coefficients.tail(coefficients.size() / 4);
+  return last.lpNorm<Eigen::Infinity>() / coefficients.lpNorm<Eigen::Infinity>();
+}
+
 }  // namespace thermoroll

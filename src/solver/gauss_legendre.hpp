@@ -30,4 +30,7 @@ Eigen::MatrixXd to_legendre(const GaussLegendre& rule);
 /// Its product with some values.
 Eigen::VectorXd to_legendre(const GaussLegendre& rule, const Eigen::VectorXd& values);
 
+/// tau: the last quarter of coefficients, relative to the largest.
+double tail(const Eigen::VectorXd& coefficients);
+
 }  // namespace thermoroll

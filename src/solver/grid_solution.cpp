@@ -282,10 +282,6 @@ double unresolved(double tail, int n, bool slow, double of_integrals, double in_
   return tail * std::max(of_integrals / n / n, layer);
 }
 
-double tail(const VectorXd& h) {
-  return h.tail(h.size() / 4).lpNorm<Eigen::Infinity>() / h.lpNorm<Eigen::Infinity>();
-}
-
 GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
                                  const GridSolution& from, const SlipVariable& by) {
   auto& [scene, formulation, kept] = grids;
@@ -296,10 +292,10 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
   return judged(solve_on(grid, from), grid);
 }
 
-SlipVariable about_kinks(const Scene& scene, const GridSolution& from, int n) {
+SlipVariable about_kinks(const GridSolution& from, int n) {
   SlipVariable by;
   std::vector<Kink> kinks = from.kinks;
-  if (kinks.empty() || is_unlike(scene) || scene.bulk_difference != 0) return by;
+  if (kinks.empty()) return by;
   std::sort(kinks.begin(), kinks.end(), [](auto& a, auto& b) { return a.jump > b.jump; });
   auto& [first, second] = by.clusters;
   const double width = 0.6 / n;
@@ -315,14 +311,14 @@ SlipVariable about_kinks(const Scene& scene, const GridSolution& from, int n) {
   return by;
 }
 
-SlipVariable variable_after(const Scene& scene, const GridSolution& from, int n) {
+SlipVariable variable_after(const GridSolution& from, int n) {
   const bool same = n == from.h.size() || from.kinks.empty();
-  return same ? from.at.variable : about_kinks(scene, from, n);
+  return same ? from.at.variable : about_kinks(from, n);
 }
 
 int unknowns_after(int n) {
   if (n < 36) return 3 * n / 2;
-  if (n < 60) return std::min(n + 12, 60);
+  if (n < 54) return n + 12;
   return std::min(2 * n, most_unknowns);
 }
 

@@ -43,8 +43,8 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
 
 /// The variable with nodes at the kinks of a solution, for a grid of n unknowns; and that of a grid
 /// that starts from a solution.
-SlipVariable about_kinks(const Scene& scene, const GridSolution& from, int n);
-SlipVariable variable_after(const Scene& scene, const GridSolution& from, int n);
+SlipVariable about_kinks(const GridSolution& from, int n);
+SlipVariable variable_after(const GridSolution& from, int n);
 
 /// The residual of a solution for the given quantity; a border is measured from the nearer end.
 double residual(const GridSolution& x, const Prescribed& given);
@@ -62,9 +62,6 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope,
                          double weak = 0);
-
-/// Size of the last quarter of the coefficients, relative to the largest.
-double tail(const Eigen::VectorXd& h);
 
 /// The error estimated from the tail of h on a grid of n unknowns: so many times it over n^2, or in
 /// a layer so many times its square. Slow if convergence is slow.

@@ -102,11 +102,6 @@ void check_method(const Scene& scene, const Prescribed& given, Method method) {
     throw std::invalid_argument("a bulk difference needs the method coupled or auto");
   if (is_unlike(scene) && lesser)
     throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
-  if (scene.bulk_difference != 0 && scene.law && given.quantity == traction)
-    throw std::invalid_argument(
-        "with a law of friction and a bulk difference, give the creep or the border: the maximum "
-        "of "
-        "the traction is not sought there");
   if (!scene.law && given.branch == Branch::falling)
     throw std::invalid_argument("branch = falling is not allowed: friction is constant");
 }
@@ -180,7 +175,7 @@ SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   const SurfaceCurve found = surface_curve(flux, conduction, s, tolerance);
   SurfaceCurve all{share * found.temperature, share * found.error};
   for (const ExchangedFlux& e : coupled ? crossing_flux(*coupled) : std::vector<ExchangedFlux>{})
-    all.temperature += temperature_of(e, x.scene.peclet, s, gauss_legendre(96));
+    all.temperature += temperature_of(e, x.scene.peclet, s);
   return all;
 }
 

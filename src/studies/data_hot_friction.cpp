@@ -133,7 +133,7 @@ std::vector<GridSolution> on_finer_grids(const std::vector<int>& unknowns, bool 
   GridSolution level;
   for (const int n : unknowns) {
     ZoneLengths at{1.2, 0.8};
-    if (moved) at.variable = about_kinks(scene, level, n);
+    if (moved) at.variable = about_kinks(level, n);
     level = solve_on_grid(scene, Formulation::corrected, n, at, level);
     all.push_back(level);
   }

@@ -24,7 +24,7 @@ StudyKind draw_kind(Random& random) {
   if (x < 0.5) return StudyKind::one_body;
   if (x < 0.7) return StudyKind::alike;
   if (x < 0.8) return x < 0.77 ? StudyKind::unlike : StudyKind::bulk_difference;
-  return StudyKind::law;
+  return x < 0.96 ? StudyKind::law : StudyKind::law_of_unlike;
 }
 
 void draw_second_body(Random& random, StudyKind kind, Scene& scene) {
@@ -33,6 +33,7 @@ void draw_second_body(Random& random, StudyKind kind, Scene& scene) {
   if (kind == StudyKind::alike) return;
   scene.roller.peclet = scene.peclet * random.log_uniform(1.0 / 30, 30);
   if (kind == StudyKind::unlike) return;
+  if (kind == StudyKind::law_of_unlike && random.uniform() < 0.5) return;
   const double side = random.uniform() < 0.5 ? -1 : 1;
   scene.bulk_difference =
       side * random.log_uniform(0.003, 0.3) * scene.friction / std::sqrt(scene.peclet);
@@ -110,7 +111,8 @@ const std::pair<StudyKind, std::string> kinds[] = {
     {StudyKind::alike, "two bodies of one diffusivity"},
     {StudyKind::unlike, "two of unlike diffusivities"},
     {StudyKind::bulk_difference, "the same with a bulk difference"},
-    {StudyKind::law, "a law of friction"}};
+    {StudyKind::law, "a law of friction"},
+    {StudyKind::law_of_unlike, "a law of friction between unlike bodies"}};
 
 std::vector<StudyRow> rows_of(const std::vector<StudyRow>& rows, StudyKind kind) {
   std::vector<StudyRow> found;
@@ -148,12 +150,11 @@ StudyScene study_scene(int number) {
   const Quantity what = all[static_cast<int>(3 * random.uniform())];
   const double tolerance = random.log_uniform(1e-9, 1e-2);
   const StudyKind kind = draw_kind(random);
-  if (kind == StudyKind::law)
-    draw_law(random, scene);
-  else if (kind != StudyKind::one_body)
-    draw_second_body(random, kind, scene);
+  const bool with_law = kind == StudyKind::law || kind == StudyKind::law_of_unlike;
+  if (with_law) draw_law(random, scene);
+  if (kind != StudyKind::one_body && kind != StudyKind::law) draw_second_body(random, kind, scene);
   if (kind != StudyKind::one_body && random.uniform() < 0.5) scene.direction = Direction::braking;
-  if (kind == StudyKind::law && random.uniform() < 0.5) draw_reference(random, scene);
+  if (with_law && random.uniform() < 0.5) draw_reference(random, scene);
   return {scene, {what, carter_values(carter(f, pull))(what)}, tolerance, kind};
 }
 

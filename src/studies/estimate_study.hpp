@@ -10,7 +10,7 @@
 
 namespace thermoroll {
 
-enum class StudyKind { one_body, alike, unlike, bulk_difference, law };
+enum class StudyKind { one_body, alike, unlike, bulk_difference, law, law_of_unlike };
 
 /// A scene with what is given and the tolerance asked for.
 struct StudyScene {

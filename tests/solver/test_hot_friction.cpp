@@ -422,7 +422,7 @@ TEST(HotFriction, ClustersKeepTheHeat) {
   const Scene scene = hot(1000, 0.0175, linear_friction({0.005, 0.4, 0.0005}));
   thermoroll::ZoneLengths at{1.2, 0.8};
   const GridSolution plain = solve_on_grid(scene, Formulation::corrected, 60, at, {});
-  at.variable = about_kinks(scene, plain, 60);
+  at.variable = about_kinks(plain, 60);
   EXPECT_GT(at.variable.clusters[0].rate, 0);
   const GridSolution x = solve_on_grid(scene, Formulation::corrected, 60, at, plain),
                      y = solve_on_grid(scene, Formulation::corrected, 60, at, {});
@@ -466,7 +466,7 @@ TEST(HotFriction, KinkedLawsAreWithinTheirErrors) {
     GridSolution level;
     for (const int n : {15, 30, 60, 120, 240, 480}) {
       thermoroll::ZoneLengths at{1.1845, 0.8155};
-      if (moved) at.variable = about_kinks(scene, level, n);
+      if (moved) at.variable = about_kinks(level, n);
       level = solve_on_grid(scene, Formulation::corrected, n, at, level);
       traction.push_back(level.value(Quantity::traction));
     }
