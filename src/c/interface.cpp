@@ -430,15 +430,15 @@ std::string ends_of(const CreepLaw& law) {
 }
 
 void tell(const CreepLaw& law, const LawUnits& unit, thermoroll_law_info& info) {
-  info.driving_end = law.driving.last_creep * unit.creep;
-  info.braking_end = law.braking.last_creep * unit.creep;
+  info.driving_end = (law.driving.last_creep + law.no_slip_creep) * unit.creep;
+  info.braking_end = (law.braking.last_creep - law.no_slip_creep) * unit.creep;
   write(ends_of(law), info.message);
 }
 
 thermoroll_law_value value_of(const CreepLaw& law, const LawUnits& in, double given) {
   const double creep = given / in.creep;
   const std::optional<LawValue> x = evaluate(law, creep);
-  const double none = std::nan(""), unit = (creep < 0 ? law.braking : law.driving).unit_creep;
+  const double none = std::nan("");
   thermoroll_law_value y{sizeof y, THERMOROLL_REFUSED, none, none, none, none, none, none, none};
   if (!x) return y;
   y.status = THERMOROLL_DONE;
@@ -447,7 +447,8 @@ thermoroll_law_value value_of(const CreepLaw& law, const LawUnits& in, double gi
   y.max_temperature = x->temperature * in.temperature;
   y.stick_slip_border = x->border;
   y.traction_error = law.traction_error * in.traction;
-  const double grown = std::max(1.0, std::abs(creep) / unit);
+  const LawSide side = side_of(law, creep);
+  const double grown = std::max(1.0, side.size / side.half.unit_creep);
   y.max_temperature_error = law.temperature_error * grown * in.temperature;
   y.stick_slip_border_error = x->border == -1 ? 0 : law.border_error;
   return y;

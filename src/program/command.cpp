@@ -314,15 +314,15 @@ std::string rounded_towards_zero(double x) {
 }
 
 /// The end, or where the curve ends before if it is not given.
-double bound(const CurveEnd& end, double creep, const LawHalf& half) {
-  const double sign = creep < 0 ? -1 : 1;
-  if (!end.asked) return sign * std::min(std::abs(creep), half.last_creep);
-  if (creep * sign > half.last_creep)
-    throw std::invalid_argument(end.name + " = " + shortest(*end.asked) +
-                                " is not allowed: it must be " +
-                                (sign > 0 ? "at most about " : "at least about ") +
-                                rounded_towards_zero(sign * half.last_creep / end.unit) +
-                                ", where the curve ends: " + half.reason);
+double bound(const CurveEnd& end, double creep, const CreepLaw& law) {
+  const auto& [half, sign, size] = side_of(law, creep);
+  const double last = law.no_slip_creep + sign * half.last_creep;
+  if (!end.asked) return size > half.last_creep ? last : creep;
+  if (size > half.last_creep)
+    throw std::invalid_argument(
+        end.name + " = " + shortest(*end.asked) + " is not allowed: it must be " +
+        (sign > 0 ? "at most about " : "at least about ") + rounded_towards_zero(last / end.unit) +
+        ", where the curve ends: " + half.reason);
   return creep;
 }
 
@@ -350,9 +350,7 @@ void run_creep_curve(const Options& o) {
           "below --" + last_end.name + ", " + shortest(last_end.asked.value_or(to)));
   const CreepLaw law =
       creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), {from, to});
-  const LawHalf &first = from < 0 ? law.braking : law.driving,
-                &last = to < 0 ? law.braking : law.driving;
-  const CurveRange range{bound(first_end, from, first), bound(last_end, to, last), o.points};
+  const CurveRange range{bound(first_end, from, law), bound(last_end, to, law), o.points};
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -12,15 +13,16 @@
 namespace thermoroll {
 namespace {
 
-/// The creep at z, which has the sign of the creep.
+/// The creep at z, which is negative on the braking half.
 double creep_at(const CreepLaw& law, double z) {
   const double size = std::abs(z), unit = (z < 0 ? law.braking : law.driving).unit_creep;
-  return std::copysign(size <= 1 ? unit * size * size : unit / (2 - size), z);
+  return law.no_slip_creep + std::copysign(size <= 1 ? unit * size * size : unit / (2 - size), z);
 }
 
 double z_of(const CreepLaw& law, double creep) {
-  const double share = std::abs(creep) / (creep < 0 ? law.braking : law.driving).unit_creep;
-  return std::copysign(share <= 1 ? std::sqrt(share) : 2 - 1 / share, creep);
+  const LawSide side = side_of(law, creep);
+  const double share = side.size / side.half.unit_creep;
+  return side.sign * (share <= 1 ? std::sqrt(share) : 2 - 1 / share);
 }
 
 struct WayAlong {
@@ -74,6 +76,16 @@ std::vector<LawTable> tables_of(const CreepLaw& law) {
           t};
 }
 
+std::vector<std::pair<const char*, double>> constants_of(const CreepLaw& law,
+                                                         const LawUnits& unit) {
+  return {{"creep_unit", unit.creep},
+          {"traction_unit", unit.traction},
+          {"temperature_unit", unit.temperature},
+          {"no_slip_creep", law.no_slip_creep},
+          {"no_slip_traction", law.no_slip_traction},
+          {"coldest", law.coldest}};
+}
+
 bool counts_pieces(const LawTable& table) { return table.name == std::string("first_piece"); }
 
 std::string listed(const LawTable& table, const std::string& infinite) {
@@ -96,10 +108,12 @@ std::string told(const CreepLaw& law, const Scene& scene, const std::optional<La
           ", of the temperature " + rounded(law.temperature_error * unit.temperature, 2) + ";\n" +
           mark + "in full slip the latter grows like the creep from where all slips on.\n";
   for (const LawHalf* half : {&law.driving, &law.braking}) {
+    const double size = half == &law.driving ? half->last_creep : -half->last_creep;
     text += mark + (half == &law.driving ? "Driving" : "Braking");
-    text += half->reason.empty() ? " has no end.\n"
-                                 : " ends at the creep " + shortest(half->last_creep * unit.creep) +
-                                       ": " + half->reason + ".\n";
+    text += half->reason.empty()
+                ? " has no end.\n"
+                : " ends at the creep " + shortest((law.no_slip_creep + size) * unit.creep) + ": " +
+                      half->reason + ".\n";
   }
   return text + mark + "Beyond an end the status is 1 and all else is 0.\n";
 }
@@ -121,8 +135,9 @@ static double series(const double *c, double x, double *slope) {
 
 constexpr const char* c_function = R"(
 int creep_law(double creep, double *traction, double *slope, double *temperature) {
-  const int side = creep < 0;
-  const double sign = side ? -1 : 1, size = sign * creep / creep_unit, unit = unit_creep[side];
+  const double more = creep / creep_unit - no_slip_creep;
+  const int side = more < 0;
+  const double sign = side ? -1 : 1, size = sign * more, unit = unit_creep[side];
   *traction = *slope = *temperature = 0;
   if (!(size <= last_creep[side])) return 1;
   const double z = size <= unit ? sqrt(size / unit) : 2 - unit / size;
@@ -132,9 +147,9 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   const double x = fmin(1, fmax(-1, per_z * (z - from_z[k]) - 1));
   double by_x, unused;
   const double q = series(traction_terms + terms * k, x, &by_x);
-  const double t = fmax(0, series(temperature_terms + terms * k, x, &unused));
+  const double t = fmax(coldest, series(temperature_terms + terms * k, x, &unused));
   const int sticks = from_z[k] < 1;
-  *traction = traction_unit * sign * q * (sticks ? size : 1);
+  *traction = traction_unit * (sticks ? no_slip_traction + sign * size * q : sign * q);
   *slope = traction_unit / creep_unit *
            (sticks ? q + z * per_z * by_x / 2 : unit / size / size * per_z * by_x);
   *temperature = temperature_unit * t * (sticks ? 1 : size / unit);
@@ -145,9 +160,8 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
 std::string in_c(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
   std::string text = comment + "#include <math.h>\n\n";
   text += "enum { terms = " + std::to_string(law_terms) + " };\n";
-  text += "static const double creep_unit = " + shortest(unit.creep) +
-          ", traction_unit = " + shortest(unit.traction) +
-          ", temperature_unit = " + shortest(unit.temperature) + ";\n";
+  for (const auto& [name, number] : constants_of(law, unit))
+    text += std::string("static const double ") + name + " = " + shortest(number) + ";\n";
   for (const LawTable& table : tables_of(law))
     text += std::string("static const ") + (counts_pieces(table) ? "int " : "double ") +
             table.name + "[] = {" + listed(table, "HUGE_VAL") + "};\n";
@@ -165,8 +179,9 @@ def series(c, x):
 
 def creep_law(creep):
     """Traction, its slope, temperature and status at a creep."""
-    side, sign = (1, -1) if creep < 0 else (0, 1)
-    size, unit = sign * creep / creep_unit, unit_creep[side]
+    more = creep / creep_unit - no_slip_creep
+    side, sign = (1, -1) if more < 0 else (0, 1)
+    size, unit = sign * more, unit_creep[side]
     if not size <= last_creep[side]:
         return 0.0, 0.0, 0.0, 1
     z = math.sqrt(size / unit) if size <= unit else 2 - unit / size
@@ -176,26 +191,27 @@ def creep_law(creep):
     per_z = 2 / (to_z[k] - from_z[k])
     x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
     q, by_x = series(traction_terms[terms * k:terms * (k + 1)], x)
-    t = max(0.0, series(temperature_terms[terms * k:terms * (k + 1)], x)[0])
+    t = max(coldest, series(temperature_terms[terms * k:terms * (k + 1)], x)[0])
     if from_z[k] < 1:
-        q, slope = size * q, q + z * per_z * by_x / 2
+        traction, slope = no_slip_traction + sign * size * q, q + z * per_z * by_x / 2
     else:
-        slope, t = unit / size / size * per_z * by_x, t * size / unit
-    return traction_unit * sign * q, traction_unit / creep_unit * slope, temperature_unit * t, 0
+        traction, slope, t = sign * q, unit / size / size * per_z * by_x, t * size / unit
+    return traction_unit * traction, traction_unit / creep_unit * slope, temperature_unit * t, 0
 )";
 
 std::string in_python(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
   std::string text = comment + "import math\n\nterms = " + std::to_string(law_terms) + "\n";
-  text += "creep_unit = " + shortest(unit.creep) + "\ntraction_unit = " + shortest(unit.traction) +
-          "\ntemperature_unit = " + shortest(unit.temperature) + "\n";
+  for (const auto& [name, number] : constants_of(law, unit))
+    text += std::string(name) + " = " + shortest(number) + "\n";
   for (const LawTable& table : tables_of(law))
     text += table.name + (" = [" + listed(table, "math.inf")) + "]\n";
   return text + python_function;
 }
 
-constexpr const char* modelica_algorithm = R"(  Integer side = if creep < 0 then 2 else 1;
-  Real sign = if creep < 0 then -1 else 1;
-  Real size = sign * creep / creep_unit;
+constexpr const char* modelica_algorithm = R"(  Real more = creep / creep_unit - no_slip_creep;
+  Integer side = if more < 0 then 2 else 1;
+  Real sign = if more < 0 then -1 else 1;
+  Real size = sign * more;
   Real z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
   Integer k;
 algorithm
@@ -217,12 +233,12 @@ algorithm
       d := next;
     end for;
     q := x * b[1] - before[1] + traction_terms[terms * (k - 1) + 1];
-    t := max(0, x * b[2] - before[2] + temperature_terms[terms * (k - 1) + 1]);
+    t := max(coldest, x * b[2] - before[2] + temperature_terms[terms * (k - 1) + 1]);
     by_x := b[1] + x * d[1] - d_before[1];
 )";
 
 constexpr const char* modelica_end = R"(    if from_z[k] < 1 then
-      traction := traction_unit * sign * size * q;
+      traction := traction_unit * (no_slip_traction + sign * size * q);
       slope := traction_unit / creep_unit * (q + z * per_z * by_x / 2);
       temperature := temperature_unit * t;
     else
@@ -238,9 +254,8 @@ std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::st
   std::string text = comment + "function creep_law\n  input Real creep;\n";
   text += "  output Real traction, slope, temperature;\n  output Integer status;\nprotected\n";
   text += "  constant Integer terms = " + std::to_string(law_terms) + ";\n";
-  text += "  constant Real creep_unit = " + shortest(unit.creep) +
-          ", traction_unit = " + shortest(unit.traction) +
-          ", temperature_unit = " + shortest(unit.temperature) + ";\n";
+  for (const auto& [name, number] : constants_of(law, unit))
+    text += std::string("  constant Real ") + name + " = " + shortest(number) + ";\n";
   for (const LawTable& table : tables_of(law))
     text += std::string("  constant ") + (counts_pieces(table) ? "Integer " : "Real ") +
             table.name + "[:] = {" + listed(table, "1e300") + "};\n";
@@ -249,9 +264,8 @@ std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::st
 
 std::string in_json(const CreepLaw& law, const LawUnits& unit, const Scene& scene) {
   nlohmann::ordered_json o{
-      {"friction", scene.friction},     {"peclet", scene.peclet},
-      {"heating", scene.heating},       {"creep_unit", unit.creep},
-      {"traction_unit", unit.traction}, {"temperature_unit", unit.temperature}};
+      {"friction", scene.friction}, {"peclet", scene.peclet}, {"heating", scene.heating}};
+  for (const auto& [name, number] : constants_of(law, unit)) o[name] = number;
   for (const LawTable& table : tables_of(law)) {
     const std::vector<int> counts(table.numbers.begin(), table.numbers.end());
     o[table.name] = counts_pieces(table) ? nlohmann::json(counts) : nlohmann::json(table.numbers);
@@ -288,7 +302,7 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
       ",error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature\n";
   for (const double creep : creeps) {
     const LawValue x = evaluate(law, creep).value_or(LawValue{});
-    const double unit_creep = (creep < 0 ? law.braking : law.driving).unit_creep;
+    const LawSide side = side_of(law, creep);
     const bool full = x.border == -1;
     std::vector<double> more;
     if (units) {
@@ -298,7 +312,7 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
     }
     more.push_back(law.traction_error);
     more.push_back(full ? 0 : law.border_error);
-    more.push_back(law.temperature_error * std::max(1.0, std::abs(creep) / unit_creep));
+    more.push_back(law.temperature_error * std::max(1.0, side.size / side.half.unit_creep));
     text += shortest(creep) + ',' + shortest(x.traction) + ',' + shortest(x.border) + ',' +
             (full ? "true" : "false") + ',' + shortest(x.temperature);
     for (const double number : more) text += ',' + shortest(number);

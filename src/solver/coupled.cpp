@@ -314,7 +314,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share);
-    if (flat && n <= 200) left(max_temperature) = std::max(left(max_temperature), now / (n * n));
+    const bool one_bulk = scene.bulk_difference == 0;
+    if (flat && one_bulk && n <= 200)
+      left(max_temperature) = std::max(left(max_temperature), now / (n * n));
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));

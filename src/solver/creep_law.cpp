@@ -40,10 +40,12 @@ SeriesValue clenshaw(const LawSeries& c, double x) {
   return {x * b - before + c[0], b + x * d - d_before};
 }
 
-/// A scene in its direction, the creep at which its stick zone vanishes, and grids beyond it.
+/// A scene in its direction, the state without slip there, the creep at which its stick zone
+/// vanishes, and grids beyond it.
 struct HalfCurve {
   Scene scene;
   Formulation formulation;
+  NoSlip rest;
   double all_slips;
   SlippingGrids slipping{scene, formulation};
 };
@@ -60,7 +62,8 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
 
 /// The solution at w of @eq:law-sampling on a grid of n unknowns, from one near by or from none.
 GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
-  const double full_slip_creep = curve.all_slips / std::max(2 - w, 1e-8);
+  const double without = curve.rest.creep;
+  const double full_slip_creep = without + (curve.all_slips - without) / std::max(2 - w, 1e-8);
   const auto from = [&](const GridSolution& start) {
     const SlipVariable by = about_kinks(start, n);
     return w < 1 ? solve_on_grid(curve.scene, curve.formulation, n, {2 * w * w, 2 - 2 * w * w, by},
@@ -82,9 +85,9 @@ struct LawGrid {
 
 constexpr std::array<LawGrid, 4> law_grids{{{20, 33}, {28, 46}, {40, 66}, {64, 106}}};
 
-bool agree(const GridSolution& x, const GridSolution& y, double tolerance) {
+bool agree(const Scene& scene, const GridSolution& x, const GridSolution& y, double tolerance) {
   if (x.newton_steps == 0 || y.newton_steps == 0) return false;
-  const Results change = (x.value - y.value).abs() / scale_of(y.value);
+  const Results change = (x.value - y.value).abs() / scale_in(scene, y.value);
   return std::max({change(Quantity::traction), change(Quantity::creep),
                    change(Quantity::max_temperature)}) < tolerance;
 }
@@ -108,7 +111,7 @@ std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
   for (const LawGrid* grid = last.grid; grid <= &finest; ++grid) {
     const GridSolution x = solution_at(curve, grid->n, w, last.at);
     const GridSolution y = solution_at(curve, grid->finer, w, x);
-    if (!agree(x, y, leeway(grid->n, w) * tolerance)) continue;
+    if (!agree(curve.scene, x, y, leeway(grid->n, w) * tolerance)) continue;
     if (!y.violations.empty()) return "contact is lost: " + y.violations.front().what;
     if (x.value(Quantity::creep) <= last.at.value(Quantity::creep)) return turns_back;
     last = {w, x, grid};
@@ -147,7 +150,8 @@ struct Stored {
 
 /// The solution at w, for a piece that sticks or one in full slip.
 Stored stored(const HalfInTheMaking& x, bool sticks, double w, const GridSolution& at) {
-  const double unit = x.half.unit_creep, creep = at.value(Quantity::creep);
+  const NoSlip& rest = x.curve.rest;
+  const double unit = x.half.unit_creep, creep = at.value(Quantity::creep) - rest.creep;
   if (w == 0) {
     const Scene& scene = x.curve.scene;
     const double cold = scene.friction * (scene.law ? scene.law(0).value : 1);
@@ -156,7 +160,8 @@ Stored stored(const HalfInTheMaking& x, bool sticks, double w, const GridSolutio
   const double q = at.value(Quantity::traction), t = at.value(Quantity::max_temperature);
   if (!sticks) return {creep, w, {q, t * unit / creep, 2}};
   const double slip_length = at.value(Quantity::slip_length);
-  return {creep, std::sqrt(creep / unit), {q / creep, t, slip_length * unit / creep}};
+  return {
+      creep, std::sqrt(creep / unit), {(q - rest.traction) / creep, t, slip_length * unit / creep}};
 }
 
 LawPiece fitted(const std::array<Stored, law_terms>& y) {
@@ -228,7 +233,8 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
   for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k), near);
   Trial trial{fitted(y), 0.2 * x.tolerance, LawErrors::Zero()};
   GridSolution near_finer = near;
-  for (const double k : {9.5, 6.5, 3.5, 0.5}) {
+  const double step = x.curve.scene.bulk_difference == 0 ? 3 : 1;
+  for (double k = 9.5; k > 0; k -= step) {
     const Stored fine = at(finer, k, near_finer);
     trial.error = trial.error.max(missed(trial.piece, to <= 1, fine));
     if ((trial.error <= x.tolerance).all()) continue;
@@ -277,7 +283,7 @@ std::string go_to_full_slip(HalfCurve& curve, double tolerance, LawPoint& last) 
 /// Add them up to the creep reach, from the last point on; the reason for an end.
 std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double tolerance,
                                 LawPoint& last) {
-  const double farthest = reach > x.curve.all_slips ? 2 - x.curve.all_slips / reach : 1;
+  const double unit = x.half.unit_creep, farthest = reach > unit ? 2 - unit / reach : 1;
   std::string at_farthest = farthest < 2 ? not_asked : "";
   LawPoint far = last;
   if (farthest == 1) return at_farthest;
@@ -335,13 +341,23 @@ std::string end_of_partial_slip(LawHalf& half) {
 
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
                          double reach) {
-  HalfInTheMaking x{{scene, formulation, creep_of_full_slip(scene, formulation, tolerance)},
+  const double sign = sign_of(scene.direction);
+  NoSlip rest = no_slip(scene, tolerance / 10);
+  rest.creep *= sign;
+  rest.traction *= sign;
+  HalfInTheMaking x{{scene, formulation, rest, creep_of_full_slip(scene, formulation, tolerance)},
                     LawErrors::Constant(tolerance)};
   LawPoint last;
+  last.at.value(Quantity::creep) = rest.creep;
   x.half.reason = go_to_full_slip(x.curve, tolerance / 3, last);
-  x.half.unit_creep = last.at.value(Quantity::creep);
-  x.tolerance(1) *= last.at.value(Quantity::max_temperature);
-  if (last.w > 0 && !add_pieces(x, last.grid, 0, last.w, {}))
+  x.half.unit_creep = last.at.value(Quantity::creep) - rest.creep;
+  x.tolerance(1) *= scale_in(scene, last.at.value)(Quantity::max_temperature);
+  double first = 0;
+  if (scene.bulk_difference != 0) {
+    first = 0.02;
+    x.tolerance(2) *= 300;
+  }
+  if (last.w > 0 && !add_pieces(x, last.grid, first, last.w, {}))
     x.half.reason = end_of_partial_slip(x.half);
   else if (last.w == 1)
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
@@ -358,15 +374,16 @@ BothHalves both_halves(Scene scene, Formulation formulation, double tolerance,
   const auto half = [&](Direction direction, double reach) {
     scene.direction = direction;
     if (reach >= 0) return half_law(scene, formulation, tolerance, reach);
-    return HalfInTheMaking{{scene, formulation, 0}, LawErrors::Zero()};
+    return HalfInTheMaking{{scene, formulation, {}, 0}, LawErrors::Zero()};
   };
-  const double braking = range.from < 0 ? -range.from : -1;
-  const bool mirrors = strain_share(scene) == 0 && !is_unlike(scene);
-  if (mirrors) {
+  const double without = no_slip(scene, tolerance / 10).creep;
+  const double driving = range.to - without;
+  const double braking = range.from < without ? without - range.from : -1;
+  if (strain_share(scene) == 0 && !is_unlike(scene) && scene.bulk_difference == 0) {
     const HalfInTheMaking one = half(Direction::driving, std::max(range.to, braking));
     return {one, one};
   }
-  return {half(Direction::driving, range.to), half(Direction::braking, braking)};
+  return {half(Direction::driving, driving), half(Direction::braking, braking)};
 }
 
 }  // namespace
@@ -376,17 +393,24 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
   check(scene);
   if (!(range.from < range.to))
     require(false, "from", range.from, "below to = " + shortest(range.to));
-  if (scene.bulk_difference != 0)
-    throw std::invalid_argument("a law is not made for bodies of different bulk temperatures");
   require(1e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-7 to 1e-2");
   const auto [driving, braking] = both_halves(scene, formulation, tolerance, range);
   const LawErrors error = driving.error.max(braking.error);
-  return {driving.half, braking.half, error(0), error(2), error(1)};
+  const NoSlip rest = no_slip(scene, tolerance / 10);
+  const double coldest = std::min(0.0, scene.bulk_difference);
+  const double traction_error = error(0) + rest.traction_error;
+  return {driving.half, braking.half, traction_error, error(2),
+          error(1),     rest.creep,   rest.traction,  coldest};
+}
+
+LawSide side_of(const CreepLaw& law, double creep) {
+  const double more = creep - law.no_slip_creep;
+  return {more < 0 ? law.braking : law.driving, more < 0 ? -1.0 : 1.0, std::abs(more)};
 }
 
 std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
-  const LawHalf& half = creep < 0 ? law.braking : law.driving;
-  const double size = std::abs(creep), sign = creep < 0 ? -1 : 1, unit = half.unit_creep;
+  const auto& [half, sign, size] = side_of(law, creep);
+  const double unit = half.unit_creep;
   if (!(size <= half.last_creep)) return std::nullopt;
   const double z = size <= unit ? std::sqrt(size / unit) : 2 - unit / size;
   std::size_t k = 0;
@@ -395,11 +419,11 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
   const double per_z = 2 / (piece.to - piece.from);
   const double x = std::clamp(per_z * (z - piece.from) - 1, -1.0, 1.0);
   const SeriesValue q = clenshaw(piece.traction, x);
-  const double rise = std::max(0.0, clenshaw(piece.temperature, x).value);
+  const double rise = std::max(law.coldest, clenshaw(piece.temperature, x).value);
   if (slips_partially(piece)) {
     const double slip_length = z * z * clenshaw(piece.slip_length, x).value;
-    return LawValue{sign * size * q.value, q.value + z * per_z * q.slope / 2, rise,
-                    1 - slip_length};
+    return LawValue{law.no_slip_traction + sign * size * q.value, q.value + z * per_z * q.slope / 2,
+                    rise, 1 - slip_length};
   }
   return LawValue{sign * q.value, unit / (size * size) * per_z * q.slope, rise * size / unit, -1};
 }

@@ -153,19 +153,24 @@ const GaussLegendre& rule_for_hottest(const ContactGrid& grid) {
 HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSolution& last) {
   const Conduction conduction(grid.scene, !grid.crossing);
   const VectorXd smooth = without_ripples(grid.scene, h), more = temperature_by_exchange(grid, h);
-  const auto search = [&](const HottestPoint& from) {
-    return find_hottest(grid.nodes.zones, conduction, smooth, from, rule_for_hottest(grid), more);
-  };
-  const bool first = last.newton_steps == 0;
-  HottestPoint top = search(first ? expected_hottest(grid.nodes.zones, conduction.peclet)
-                                  : peak_in(grid.nodes.zones.variable, last));
-  const std::vector<Index> maxima = flux_maxima(grid, h);
-  if (maxima.size() < 2 || maxima.size() > 8) return top;
-  for (const Index i : maxima) {
-    const double n = static_cast<double>(h.size());
-    const HottestPoint other = search({grid.nodes.y[i], 0, -n * n});
+  const ZoneLengths& at = grid.nodes.zones;
+  const GaussLegendre& rule = rule_for_hottest(grid);
+  const bool first = last.newton_steps == 0 || !(last.peak.curvature < 0) || last.peak.y < -0.9;
+  HottestPoint top = find_hottest(
+      at, conduction, smooth,
+      first ? expected_hottest(at, conduction.peclet) : peak_in(at.variable, last), rule, more);
+  const auto also_from = [&](const HottestPoint& start) {
+    const HottestPoint other = find_hottest(at, conduction, smooth, start, rule, more);
     if (other.value > top.value * (1 + 1e-9)) top = other;
+  };
+  if (grid.bulk) {
+    const HottestPoint other = hottest_elsewhere(at, conduction, smooth, top, rule, more);
+    if (other.value > 0.98 * top.value) also_from({other.y, 0, -3});
   }
+  const std::vector<Index> maxima = flux_maxima(grid, h);
+  const double n = static_cast<double>(h.size());
+  if (maxima.size() > 1 && maxima.size() <= 8)
+    for (const Index i : maxima) also_from({grid.nodes.y[i], 0, -n * n});
   return top;
 }
 

@@ -265,6 +265,24 @@ HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction
   }
 }
 
+HottestPoint hottest_elsewhere(const ZoneLengths& zones, const Conduction& conduction,
+                               const VectorXd& h, const HottestPoint& found,
+                               const GaussLegendre& rule, const VectorXd& more) {
+  std::vector<HottestPoint> all{found};
+  for (const double y : {-0.5, 0.0, 0.2, 0.4, 0.6, 0.8, 0.92, 0.98}) {
+    const auto own = temperature_and_slope(zones, conduction, h, 1 + y, 1 - y, 0, rule);
+    if (std::abs(y - found.y) > 0.15) all.push_back({y, with_series(own, zones, y, more).value});
+  }
+  std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  HottestPoint top;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool rises = i == 0 || all[i].value > all[i - 1].value;
+    const bool falls = i + 1 == all.size() || all[i].value > all[i + 1].value;
+    if (all[i].y != found.y && rises && falls && all[i].value > top.value) top = all[i];
+  }
+  return top;
+}
+
 ArrayXd surface_temperature(const ZoneLengths& at, const Conduction& conduction, const VectorXd& h,
                             const ArrayXd& s, const GaussLegendre& rule) {
   const SurfaceHeat heat = surface_heat(at, conduction, h, rule);

@@ -52,6 +52,11 @@ HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction
                           const Eigen::VectorXd& h, const HottestPoint& near,
                           const GaussLegendre& rule, const Eigen::VectorXd& more = {});
 
+/// A place near another maximum than the one found, and its value; that is 0 if there is none.
+HottestPoint hottest_elsewhere(const ZoneLengths& zones, const Conduction& conduction,
+                               const Eigen::VectorXd& h, const HottestPoint& found,
+                               const GaussLegendre& rule, const Eigen::VectorXd& more);
+
 /// The largest value of a Legendre series that is positive somewhere, to 1.5e-5 in y.
 HottestPoint largest_of_series(const Eigen::VectorXd& series);
 

@@ -23,11 +23,12 @@ struct LawPiece {
   LawSeries traction, temperature, slip_length;
 };
 
-/// Half of a law: its pieces from z = 0 on, and its end.
+/// Half of a law: its pieces from z = 0 on, and its end. The size of a creep is its difference from
+/// that without slip.
 struct LawHalf {
-  double unit_creep = 1;  ///< xi* at z = 1: where the stick zone vanishes, or the end before
+  double unit_creep = 1;  ///< the size at z = 1: where the stick zone vanishes, or the end before
   std::vector<LawPiece> pieces{};
-  double last_creep = -1;  ///< where it ends, the size of xi*; infinite if it does not, and
+  double last_creep = -1;  ///< the size where it ends; infinite if it does not, and
                            ///< negative for a half that was not asked for
   std::string reason{};    ///< why it ends; empty if it does not
 };
@@ -36,8 +37,17 @@ struct LawHalf {
 struct CreepLaw {
   LawHalf driving, braking;
   double traction_error, border_error;  ///< estimated, absolute
-  double temperature_error;  ///< of T* in partial slip; in full slip times xi* over unit_creep
+  double temperature_error;  ///< of T* in partial slip; in full slip times the size over unit_creep
+  double no_slip_creep = 0, no_slip_traction = 0;  ///< @eq:no-slip; 0 for one bulk temperature
+  double coldest = 0;                              ///< T* of the colder body far away
 };
+
+/// The half of a law to which a creep belongs, and its size there.
+struct LawSide {
+  const LawHalf& half;
+  double sign, size;
+};
+LawSide side_of(const CreepLaw& law, double creep);
 
 /// The creeps xi* that a law is made for.
 struct CreepRange {
@@ -54,8 +64,9 @@ struct LawValue {
 
 /// The law of a scene for a range of creeps in both directions, whatever its own is. The stated
 /// errors are below the tolerance, from 1e-7 to 1e-2, or ten times that where a law of friction has
-/// a kink: that of T* relative to T* at unit_creep. Throws std::invalid_argument for data out of
-/// range, NotResolved where the tolerance is met nowhere.
+/// a kink: that of T* relative to T* at unit_creep; that of c0 below 300 times the tolerance with a
+/// bulk difference. Throws std::invalid_argument for data out of range, NotResolved where the
+/// tolerance is met nowhere.
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
                    const CreepRange& range = {});
 
