@@ -50,8 +50,8 @@ struct BulkExchange {
   Eigen::VectorXd flux, slope, strain, temperature, pressure;
   double root_1 = 0, root_2 = 0;  // of sqrt(1 + s) and sqrt(1 - s) in F
   double kappa = 0, gamma0 = 0;
-  double heat = 0, edge = 0;   // the integral of E, and C
-  NoSlip rest{};               // @eq:no-slip
+  double heat = 0, edge = 0;  // the integral of E, and C
+  NoSlip rest{};              // @eq:no-slip
   double temperature_error = 0;
 };
 

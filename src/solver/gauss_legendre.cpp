@@ -62,8 +62,9 @@ VectorXd to_legendre(const GaussLegendre& rule, const VectorXd& values) {
 }
 
 double tail(const VectorXd& coefficients) {
+  const double largest = coefficients.lpNorm<Eigen::Infinity>();
   const VectorXd last = coefficients.tail(coefficients.size() / 4);
-  return last.lpNorm<Eigen::Infinity>() / coefficients.lpNorm<Eigen::Infinity>();
+  return largest > 0 ? last.lpNorm<Eigen::Infinity>() / largest : 0;
 }
 
 }  // namespace thermoroll

@@ -30,7 +30,7 @@ Eigen::MatrixXd to_legendre(const GaussLegendre& rule);
 /// Its product with some values.
 Eigen::VectorXd to_legendre(const GaussLegendre& rule, const Eigen::VectorXd& values);
 
-/// tau: the last quarter of coefficients, relative to the largest.
+/// tau: the last quarter of coefficients, relative to the largest; 0 if all are 0.
 double tail(const Eigen::VectorXd& coefficients);
 
 }  // namespace thermoroll

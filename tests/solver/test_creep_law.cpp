@@ -109,13 +109,14 @@ TEST(CreepLaw, BulkDifferenceHasItsLaw) {
         moving.direction = sign > 0 ? Direction::driving : Direction::braking;
         const LawHalf& half = sign > 0 ? law.driving : law.braking;
         const double creep = law.no_slip_creep + sign * share * half.unit_creep;
-        const CoupledSolution x = thermoroll::solve_coupled(
-            moving, {Formulation::corrected, 1e-6}, {Quantity::creep, sign * creep});
+        const CoupledSolution x = thermoroll::solve_coupled(moving, {Formulation::corrected, 1e-6},
+                                                            {Quantity::creep, sign * creep});
         const LawValue y = evaluate(law, creep).value();
         EXPECT_NEAR(sign * y.traction, x.value(Quantity::traction), law.traction_error) << creep;
         EXPECT_NEAR(y.border, x.value(Quantity::stick_slip_border), law.border_error) << creep;
-        EXPECT_NEAR(y.temperature, x.value(Quantity::max_temperature),
-                    law.temperature_error * std::max(1.0, share) + x.error(Quantity::max_temperature))
+        EXPECT_NEAR(
+            y.temperature, x.value(Quantity::max_temperature),
+            law.temperature_error * std::max(1.0, share) + x.error(Quantity::max_temperature))
             << creep;
       }
   }

@@ -453,6 +453,11 @@ TEST(Exchange, ASharedFluxHasAnError) {
 TEST(Exchange, TheFluxOfABulkDifferenceHasItsErrors) {
   Scene warm{0.41, 748, 0.005, {0.6, 0.005}};
   warm.bulk_difference = 0.0426;
+  Scene rigid{0.6, 100, 0, {1, 0}};  // neither strain nor slope
+  rigid.bulk_difference = 0.01;
+  const CoupledSolution unstrained =
+      solve_coupled(rigid, {Formulation::corrected, 1e-8}, {Quantity::stick_slip_border, -0.2});
+  EXPECT_TRUE(unstrained.error.head(compared).isFinite().all());
   Scene trailing{0.0765, 479.2, 4e-4, {1.743, 4e-4, 2681}};
   trailing.bulk_difference = -9e-5;
   for (const auto& [scene, border] : {std::pair{warm, 0.988}, {trailing, -0.637}}) {
@@ -476,8 +481,8 @@ TEST(Exchange, ClustersChangeNothing) {
   for (const double stick : {0.4, 0.0}) {
     const auto flux_at_places = [&](const ZoneLengths& at, int n) {
       const ContactGrid grid = contact_grid(scene, Formulation::corrected, at, n);
-      const VectorXd h = to_legendre(
-          grid.rules.slip, (0.1 * grid.nodes.sigma * (2 - grid.nodes.t)).matrix());
+      const VectorXd h =
+          to_legendre(grid.rules.slip, (0.1 * grid.nodes.sigma * (2 - grid.nodes.t)).matrix());
       const ExchangedFlux x = exchanged_flux(*grid.crossing, grid.nodes, h);
       const ArrayXd s = ArrayXd::LinSpaced(9, -0.9, 0.95);
       ArrayXd all(19);
@@ -613,7 +618,8 @@ TEST(Exchange, TractionsWithALawHaveTheirBranches) {
       if (c0 != -0.2) continue;
       const TractionLimit limit = *std::get<CoupledSolution>(rising.found).limit;
       for (const double part : {0.99, 1.01})
-        EXPECT_LT(of(Quantity::creep, part * limit.creep).value(Quantity::traction), limit.traction);
+        EXPECT_LT(of(Quantity::creep, part * limit.creep).value(Quantity::traction),
+                  limit.traction);
       EXPECT_NEAR(of(Quantity::creep, limit.creep).value(Quantity::traction), limit.traction, 1e-6);
     }
     EXPECT_THROW(of(Quantity::traction, 0.39), std::invalid_argument);
