@@ -1658,7 +1658,8 @@ LawOfAHotWheel() {
   law_in c law.c "${wheel[@]}"
   compiled
   law_in python law.py "${wheel[@]}"
-  answers creep-curve "${wheel[@]}" --points 7 --from -0.5 --to 0.5 >curve.csv
+  answers creep-curve "${wheel[@]}" --points 7 --from -0.5 --to 0.5
+  cp out curve.csv
   for creep in 0.0008 0.01 0.2 0.6 -0.0005 -0.1; do
     answers solve "${wheel[@]}" --creep=$creep --format json
     q=$(value traction)
