@@ -834,6 +834,24 @@ TEST(Exchange, TheStickZoneMayBeHottest) {
   }
 }
 
+// A colder roller leaves two maxima, one where the heat of a little slip is felt and one in the
+// layer at the trailing edge, where the roller has lost contact: no point of either is hotter than
+// the largest temperature, which the lower one missed by a ten-thousandth.
+TEST(Exchange, TheTrailingEdgeMayBeHottest) {
+  Scene scene{0.586692, 41700.736, 0.0230958, {1.21279, 0.0230958, 70582.4}};
+  scene.bulk_difference = -0.00170553;
+  for (const double border : {0.999, 0.995, 0.9, 0.5}) {
+    const Solution y = solve(scene, {Quantity::stick_slip_border, border},
+                             {Formulation::corrected, 1e-6, Method::coupled});
+    std::vector<double> at;
+    for (int i = 0; i <= 60; ++i) at.push_back(1 - std::pow(10, -0.1 * i - 0.5));
+    for (const CurvePoint& point : temperature_curve(y, at, 0).points)
+      EXPECT_LE(point.temperature, y.value(Quantity::max_temperature) +
+                                       (*y.error)(Quantity::max_temperature) + *point.error)
+          << border << ' ' << point.s;
+  }
+}
+
 // The flux into body 1 of the references, at three places where the bodies stick and five where
 // they slip. They are of order 0.1, to which the tolerance of 1e-6 is relative. The first pair has
 // kernels with what crosses in them.
