@@ -834,9 +834,9 @@ TEST(Exchange, TheStickZoneMayBeHottest) {
   }
 }
 
-// A colder roller leaves two maxima, one where the heat of a little slip is felt and one in the
-// layer at the trailing edge, where the roller has lost contact: no point of either is hotter than
-// the largest temperature, which the lower one missed by a ten-thousandth.
+// With a colder roller the temperature has two maxima, one where a little slip heats and one in
+// the layer at the trailing edge. No point of either is hotter than the largest temperature; the
+// lower one missed it by a ten-thousandth.
 TEST(Exchange, TheTrailingEdgeMayBeHottest) {
   Scene scene{0.586692, 41700.736, 0.0230958, {1.21279, 0.0230958, 70582.4}};
   scene.bulk_difference = -0.00170553;
