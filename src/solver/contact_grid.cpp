@@ -270,7 +270,7 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
 }
 
 int more_graded(const SlipVariable& by) {
-  if (by.clusters[0].rate > 0) return 32;
+  if (by.clustered()) return 32;
   return by.beta > 0 ? 8 : 0;
 }
 

@@ -340,9 +340,8 @@ std::string end_of_partial_slip(LawHalf& half) {
 }
 
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
-                         double reach) {
+                         double reach, NoSlip rest) {
   const double sign = sign_of(scene.direction);
-  NoSlip rest = no_slip(scene, tolerance / 10);
   rest.creep *= sign;
   rest.traction *= sign;
   HalfInTheMaking x{{scene, formulation, rest, creep_of_full_slip(scene, formulation, tolerance)},
@@ -370,15 +369,14 @@ struct BothHalves {
 };
 
 BothHalves both_halves(Scene scene, Formulation formulation, double tolerance,
-                       const CreepRange& range) {
+                       const CreepRange& range, const NoSlip& rest) {
   const auto half = [&](Direction direction, double reach) {
     scene.direction = direction;
-    if (reach >= 0) return half_law(scene, formulation, tolerance, reach);
+    if (reach >= 0) return half_law(scene, formulation, tolerance, reach, rest);
     return HalfInTheMaking{{scene, formulation, {}, 0}, LawErrors::Zero()};
   };
-  const double without = no_slip(scene, tolerance / 10).creep;
-  const double driving = range.to - without;
-  const double braking = range.from < without ? without - range.from : -1;
+  const double driving = range.to - rest.creep;
+  const double braking = range.from < rest.creep ? rest.creep - range.from : -1;
   if (strain_share(scene) == 0 && !is_unlike(scene) && scene.bulk_difference == 0) {
     const HalfInTheMaking one = half(Direction::driving, std::max(range.to, braking));
     return {one, one};
@@ -394,9 +392,9 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
   if (!(range.from < range.to))
     require(false, "from", range.from, "below to = " + shortest(range.to));
   require(1e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-7 to 1e-2");
-  const auto [driving, braking] = both_halves(scene, formulation, tolerance, range);
-  const LawErrors error = driving.error.max(braking.error);
   const NoSlip rest = no_slip(scene, tolerance / 10);
+  const auto [driving, braking] = both_halves(scene, formulation, tolerance, range, rest);
+  const LawErrors error = driving.error.max(braking.error);
   const double coldest = std::min(0.0, scene.bulk_difference);
   const double traction_error = error(0) + rest.traction_error;
   return {driving.half, braking.half, traction_error, error(2),

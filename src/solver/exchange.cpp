@@ -45,7 +45,6 @@ struct ZoneMap {
   bool two_edges;
   SlipVariable variable{};
   bool slips() const { return fine == 0; }
-  bool clusters() const { return variable.clusters[0].rate > 0; }
   double growth() const { return std::log1p(1 / fine); }
 };
 
@@ -85,7 +84,7 @@ ZonePoints clustered_points(const SlipVariable& variable, const GradedArray& lef
 }
 
 ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const GradedArray& right) {
-  if (zone.clusters()) return clustered_points(zone.variable, left, right);
+  if (zone.variable.clustered()) return clustered_points(zone.variable, left, right);
   if (zone.slips()) {
     ZonePoints at{{}, {}, (3 + 12 * left * right) / 22};
     slip_cubic(left, at.u);
@@ -112,7 +111,7 @@ struct Target {
 
 /// Whether the rule that goes upstream from a target serves the mirrored target as well.
 bool mirrors(const ZoneMap& zone, const Target& from) {
-  return zone.slips() && !zone.clusters() && from.left > 0 && from.right > 0;
+  return zone.slips() && !zone.variable.clustered() && from.left > 0 && from.right > 0;
 }
 
 /// Positions x, distances from the target, weights of a(x) and of h; whether it goes upstream; and

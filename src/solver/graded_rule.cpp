@@ -60,7 +60,7 @@ THERMOROLL_CLONES void grade(GradedRule& graded, double peclet, double gap, doub
     Pack4 step = delta * grown, eta = left + step, rest = right - step, dpsi = dy;
     store(from.y + step, &graded.y[k]);
     if (by.beta > 0) crowd(from, step, eta, rest, dpsi);
-    if (by.clusters[0].rate > 0) cluster(from, step, eta, rest, dpsi);
+    if (by.clustered()) cluster(from, step, eta, rest, dpsi);
     slip_cubic(eta, u);
     slip_cubic(rest, v);
     t_beyond(from, step, u, v, apart);

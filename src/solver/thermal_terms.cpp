@@ -100,7 +100,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     kernel_weights(conduction, graded, columns, weights);
     legendre_sums(graded.y, weights, sums);
     fill_own_row(sums, i, thermal, by_dh);
-    if (z.zones.variable.clusters[0].rate > 0) {
+    if (z.zones.variable.clustered()) {
       grade(graded, peclet, 0, 1 + z.y(i), 1 - z.y(i), rule, mirrored(z.zones.variable));
       kernel_weights(conduction, graded, columns, weights);
       legendre_sums(graded.y, weights, sums);

@@ -15,6 +15,7 @@ struct Cluster {
 struct SlipVariable {
   double beta = 0;
   std::array<Cluster, 2> clusters{};
+  bool clustered() const { return clusters[0].rate > 0; }
   bool operator==(const SlipVariable& x) const { return beta == x.beta && clusters == x.clusters; }
 };
 
