@@ -1295,6 +1295,12 @@ local function listing(id, title, note, html)
     .. "</details>", escape(id), title, note, table.concat(html, "\n")))
 end
 
+--- A file whose code stands elsewhere as a whole.
+local function mention(id, title, note)
+  return raw(string.format('<p class="file" id="%s"><code>%s</code> <span class="note">%s</span></p>',
+    escape(id), title, note))
+end
+
 --- Where the tests begin: name -> { file, head }. In C++ a test is TEST(Suite, Name); in the script of its
 --- suite it is the function Name, or the one of this name in Python that it runs; the others are whole
 --- scripts, whole programs for a fuzzer, or commands for CMake.
@@ -1446,15 +1452,24 @@ local function coloured_chunks()
   return coloured
 end
 
+--- One piece without references.
+local function stands_whole(chunk)
+  local found = #chunk.pieces == 1
+  for _, line in ipairs(chunk.pieces[1].code) do found = found and not tangle.reference(line) end
+  return found
+end
+
 local function file_index()
   local out, coloured = pandoc.List(), coloured_chunks()
   for _, chunk in ipairs(sorted(chunks, function(c) return c.file or "" end)) do
     if chunk.file then
       local lines, from = tangle.expand(coloured, chunk.name)
+      local id, is_whole = "file:" .. chunk.file, stands_whole(chunk)
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
         table.concat(from, ", "),
-        link(anchor(chunk.pieces[1]), "told in " .. chunk.html))
-      out:insert(listing("file:" .. chunk.file, escape(chunk.file), note, lines))
+        link(anchor(chunk.pieces[1]), (is_whole and "whole in " or "told in ") .. chunk.html))
+      out:insert(is_whole and mention(id, escape(chunk.file), note)
+        or listing(id, escape(chunk.file), note, lines))
     end
   end
   return out
