@@ -8,10 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "solver/exchange.hpp"
 #include "solver/grid_solution.hpp"
+#include "solver/linear_system.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
@@ -134,7 +133,7 @@ LocalCurve local_curve(Points points, double middle, bool sticks) {
     for (Index k = 1; k < size; ++k) places(i, k) = places(i, k - 1) * (at.rho - middle) / reach;
     values.row(i) = at.solution.value.matrix();
   }
-  return {middle, reach, places.partialPivLu().solve(values)};
+  return {middle, reach, solve(places, values)};
 }
 
 /// The point from low to high where the traction, or its derivative by rho, passes the value.

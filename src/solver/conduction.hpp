@@ -30,6 +30,9 @@ GradedKernels at_distances(const Conduction& c, const GradedArray& zeta);
 /// M(side zeta), zeta > 0, of a pair: ahead of a source, or behind it for side = -1.
 GradedArray pair_temperatures(const Conduction& c, double side, const GradedArray& zeta);
 
+/// exp(x) at all places, at least exp(-600).
+GradedArray exponentials(const GradedArray& exponent);
+
 /// M at the ascending distances zeta > 0 ahead of a source, from M behind it.
 GradedArray temperatures_ahead(const Conduction& c, const GradedArray& zeta,
                                const GradedArray& behind);

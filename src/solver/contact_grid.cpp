@@ -6,9 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "solver/graded_rule.hpp"
+#include "solver/linear_system.hpp"
 #include "solver/product.hpp"
 #include "solver/surface.hpp"
 
@@ -69,7 +68,7 @@ MatrixXd jacobian_with_law(const ContactGrid& grid, double share, const LawAtNod
   const ArrayXd lost = 1 - at.phi, bent = at.slope * at.pressure;
   const auto rows = [](const ArrayXd& by) { return by.matrix().asDiagonal(); };
   const MatrixXd db = rows(lost) * x.p - rows(bent) * dt;
-  MatrixXd dv = hot.s * db;
+  MatrixXd dv = product(1, hot.s, db);
   dv += rows(lost) * hot.p - rows(bent) * hot.t;
   dv -= rows(at.slope * at.by_temperature) * x.p + rows(at.slope * at.by_pressure) * dt;
   const ArrayXd by_p = share * grid.nodes.sigma * at.slip * at.phi,
@@ -89,8 +88,8 @@ int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
   Eigen::PartialPivLU<MatrixXd> jacobian;
   double moved = 1;
   for (int step = 1; step <= 40; ++step) {
-    if (moved > 1e-3) jacobian.compute(jacobian_with_law(grid, share, at));
-    const VectorXd change = jacobian.solve(missing);
+    if (moved > 1e-3) jacobian = factors_of(jacobian_with_law(grid, share, at));
+    const VectorXd change = solve(jacobian, missing);
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
     const VectorXd before = h;
@@ -319,9 +318,9 @@ int newton(const ContactGrid& grid, double share, VectorXd& h) {
     const ArrayXd p = share * (tractions.p * h).array() + tractions.p0;
     const ArrayXd v = share * (tractions.v * h).array() + tractions.v0;
     if (moved > 1e-3)
-      jacobian.compute(legendre - share * (sigma * v).matrix().asDiagonal() * tractions.p -
-                       share * (sigma * p).matrix().asDiagonal() * tractions.v);
-    const VectorXd change = jacobian.solve(legendre * h - (sigma * p * v).matrix());
+      jacobian = factors_of(legendre - share * (sigma * v).matrix().asDiagonal() * tractions.p -
+                            share * (sigma * p).matrix().asDiagonal() * tractions.v);
+    const VectorXd change = solve(jacobian, legendre * h - (sigma * p * v).matrix());
     h -= change;
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "solver/conduction.hpp"
 #include "solver/full_slip.hpp"
 #include "solver/gauss_legendre.hpp"
 #include "solver/grid_solution.hpp"
+#include "solver/linear_system.hpp"
 #include "solver/surface.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/coupled.hpp"
@@ -175,7 +175,7 @@ LawPiece fitted(const std::array<Stored, law_terms>& y) {
     for (int j = 0; j < law_terms; ++j) terms(k, j) = std::cos(j * angle);
     values.row(k) = at.value;
   }
-  const Eigen::Matrix<double, law_terms, 3> c = terms.partialPivLu().solve(values);
+  const Eigen::MatrixXd c = solve(terms, values);
   std::copy_n(c.col(0).data(), law_terms, piece.traction.begin());
   std::copy_n(c.col(1).data(), law_terms, piece.temperature.begin());
   std::copy_n(c.col(2).data(), law_terms, piece.slip_length.begin());

@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "solver/contact_grid.hpp"
 #include "solver/graded_rule.hpp"
+#include "solver/linear_system.hpp"
+#include "solver/product.hpp"
 #include "support/simd.hpp"
 
 namespace thermoroll {
@@ -98,9 +98,8 @@ ZonePoints zone_points(const ZoneMap& zone, const GradedArray& left, const Grade
 
 /// dt / sqrt(1 - t), or with both edges dt / sqrt(t (1 - t)), over du.
 GradedArray edge_measure(const ZoneMap& zone, const ZonePoints& at) {
-  const GradedArray measure = 6 / (1 + 2 * at.u).sqrt();
-  if (zone.two_edges) return measure / (1 + 2 * at.v).sqrt();
-  return measure * at.u;
+  if (zone.two_edges) return 6 / ((1 + 2 * at.u) * (1 + 2 * at.v)).sqrt();
+  return 6 * at.u / (1 + 2 * at.u).sqrt();
 }
 
 /// The distances 1 + x and 1 - x of a target inside, or 0 and 2 (2 and 0) where it lies before the
@@ -158,7 +157,9 @@ ZoneRule zone_rule(const ZoneMap& zone, double peclet, const Target& from, int s
   const GradedArray along = zone.length * to.du * dx;
   const double heated = zone.slips() ? 6 * zone.length : 0;
   graded.exchanged = edge_measure(zone, to) * along;
-  if (mirrors(zone, from)) graded.mirrored = edge_measure(zone, {to.v, to.u, to.du}) * along;
+  if (mirrors(zone, from) && zone.two_edges) graded.mirrored = graded.exchanged;
+  if (mirrors(zone, from) && !zone.two_edges)
+    graded.mirrored = edge_measure(zone, {to.v, to.u, to.du}) * along;
   graded.heat = heated * along * (to.u * to.v).square() * omega;
   return graded;
 }
@@ -181,9 +182,11 @@ KernelWeights exchange_weights(const ExchangingPair& pair, const ZoneRule& grade
   const bool alike = pair.peclet == pair.peclet_2, mirrored = graded.mirrored.size() > 0;
   const GradedKernels second =
       alike ? first : at_distances(pair.peclet_2, pair.peclet_2 * graded.apart);
-  const double twice = graded.upstream ? -2 : 0;
-  const GradedArray ahead_1 = (twice * pair.peclet * graded.apart).max(-600).exp();
-  const GradedArray ahead_2 = (twice * pair.peclet_2 * graded.apart).max(-600).exp();
+  GradedArray ahead_1 = GradedArray::Ones(graded.apart.size()), ahead_2 = ahead_1;
+  if (graded.upstream) {
+    ahead_1 = exponentials(-2 * pair.peclet * graded.apart);
+    ahead_2 = exponentials(-2 * pair.peclet_2 * graded.apart);
+  }
   KernelWeights weights(graded.x.size(), mirrored ? (heats ? 9 : 7) : 5);
   for (Index i = 0; i < graded.x.size(); ++i) {
     const Kernels &k1 = first[i], &k2 = second[i];
@@ -258,8 +261,8 @@ MatrixXd slopes_at_nodes(const Nodes& z, const GaussLegendre& rule, const Matrix
     const SlipPoint at(1 + z.y(i), 1 - z.y(i), z.zones.variable);
     dy_ds(i) = 1 / (z.zones.slip * 6 * at.u * at.v * at.du);
   }
-  const MatrixXd series = to_legendre(rule) * values;
-  return dy_ds.asDiagonal() * (by_derivatives(rule.p) * series);
+  const MatrixXd series = product(1, to_legendre(rule), values);
+  return dy_ds.asDiagonal() * product(1, by_derivatives(rule.p), series);
 }
 
 RowVectorXd flux_integral(const ZoneMap& zone, const GaussLegendre& rule) {
@@ -399,10 +402,10 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
   MatrixXd right(n + m, terms + 1);
   right << rows.heat, VectorXd::Constant(n + m, pi);
   Exchange x;
-  x.series = rows.jump.partialPivLu().solve(right);
-  x.temperature = rows.temperature * x.series / pi;
-  x.thermal.f = rows.slope * x.series;
-  x.thermal.g = scene.friction * x.thermal.f + rows.strain * x.series;
+  x.series = solve(rows.jump, right);
+  x.temperature = product(1 / pi, rows.temperature, x.series);
+  x.thermal.f = product(1, rows.slope, x.series);
+  x.thermal.g = scene.friction * x.thermal.f + product(1, rows.strain, x.series);
   x.thermal.df = slopes_at_nodes(z, rules.slip, x.thermal.f.topRows(n));
   x.heat = flux_integrals(z, rules) * x.series;
   const Index last = m > 0 ? m : n;

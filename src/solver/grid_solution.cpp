@@ -164,8 +164,9 @@ HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSo
     if (other.value > top.value * (1 + 1e-9)) top = other;
   };
   if (grid.bulk) {
-    const HottestPoint other = hottest_elsewhere(at, conduction, smooth, top, rule, more);
-    if (other.value > 0.98 * top.value) also_from({other.y, 0, -3});
+    const GaussLegendre& rough = gauss_legendre(32 + more_graded(at.variable));
+    const HottestPoint other = hottest_elsewhere(at, conduction, smooth, top, rough, more);
+    if (other.value > 0.97 * top.value) also_from({other.y, 0, -3});
   }
   const std::vector<Index> maxima = flux_maxima(grid, h);
   const double n = static_cast<double>(h.size());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/product.hpp"
+
 namespace thermoroll {
 
 using Eigen::ArrayXd;
@@ -49,8 +51,12 @@ HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule, const Matrix
   if (z.zones.stick == 0) arm.setOnes();
   const MatrixXd at_node = derivative_at_node(z, rule, weight);
   const Index n = z.y.size();
-  return {lost_friction_matrix(z, weight),  at_node, at_node * p,
-          at_node * temperature.topRows(n), weight,  arm * weight};
+  return {lost_friction_matrix(z, weight),
+          at_node,
+          product(1, at_node, p),
+          product(1, at_node, temperature.topRows(n)),
+          weight,
+          arm * weight};
 }
 
 const GaussLegendre& rule_for_temperatures(const Scene& scene, const ZoneLengths& zones,

@@ -7,9 +7,8 @@
 #include <complex>
 #include <cstdint>
 
-#include <Eigen/LU>
-
 #include "solver/gauss_legendre.hpp"
+#include "solver/linear_system.hpp"
 #include "support/simd.hpp"
 
 namespace thermoroll {
@@ -134,8 +133,10 @@ Eigen::Vector3d sum(const Exponentials& of, const Densities& density, double z) 
 }  // namespace
 
 Remainders all_exponentials(const PairTable& table, double z) {
+  const Eigen::Vector3d up = sum(table.up, table.up_density, z);
+  const Eigen::Vector3d down = sum(table.down, table.down_density, z);
   Remainders r;
-  r << sum(table.up, table.up_density, z), sum(table.down, table.down_density, z).segment<2>(1);
+  r << up(0), up(1), down(1), down(2), up(2);
   return r;
 }
 
@@ -157,21 +158,42 @@ double place_in(const Cell& cell) {
   return std::ldexp((half + (cell.x + 1) / 2) / 4 + 0.5, (cell.number - half) / 2);
 }
 
-THERMOROLL_CLONES Remainders PairTable::operator()(double z) const {
-  if (coefficients.empty()) return Remainders::Zero();
+/// The coefficients of a cell and the place in it; none beyond the table.
+struct InCell {
+  const Remainders* c;
+  double x;
+};
+
+[[gnu::always_inline]] inline InCell look_up(const PairTable& table, double z) {
   const Cell cell = cell_of(z);
-  const int at = cell.number - first, cells = static_cast<int>(coefficients.size()) / cell_nodes;
-  if (at >= cells) return all_exponentials(*this, z);
-  const Remainders* c = &coefficients[static_cast<std::size_t>(std::max(at, 0)) * cell_nodes];
-  const double x = at < 0 ? -1 : cell.x;  // next to zero they are constant
-  Pack4 sum = {}, next;
-  double fifth = 0;
-  for (int i = cell_nodes; i-- > 0;) {
-    load(c[i].data(), next);
-    sum = sum * x + next;
-    fifth = fifth * x + c[i](4);
+  const int at = cell.number - table.first;
+  if (at >= static_cast<int>(table.coefficients.size()) / cell_nodes) return {nullptr, 0};
+  const auto before = static_cast<std::size_t>(std::max(at, 0)) * cell_nodes;
+  return {&table.coefficients[before], at < 0 ? -1 : cell.x};  // next to zero they are constant
+}
+
+THERMOROLL_CLONES void remainders(const PairTable& table, std::size_t n, const double* z,
+                                  Kernels* all) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const InCell at = look_up(table, z[i]);
+    Pack4 sum = {}, next;
+    for (int k = at.c ? cell_nodes : 0; k-- > 0;) {
+      load(at.c[k].data(), next);
+      sum = sum * at.x + next;
+    }
+    if (!at.c && !table.coefficients.empty()) load(all_exponentials(table, z[i]).data(), sum);
+    all[i] = {sum[0], sum[1], sum[2], sum[3]};
   }
-  return {sum[0], sum[1], sum[2], sum[3], fifth};
+}
+
+THERMOROLL_CLONES void temperatures_upstream(const PairTable& table, std::size_t n, const double* z,
+                                             double* all) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const InCell at = look_up(table, z[i]);
+    all[i] = 0;
+    for (int k = at.c ? cell_nodes : 0; k-- > 0;) all[i] = all[i] * at.x + at.c[k](4);
+    if (!at.c && !table.coefficients.empty()) all[i] = all_exponentials(table, z[i])(4);
+  }
 }
 
 /// The exponentials of eight octaves: exp(-u z) for each place of an octave (rows) and each of
@@ -179,8 +201,19 @@ THERMOROLL_CLONES Remainders PairTable::operator()(double z) const {
 struct OctaveSums {
   Eigen::Index first = 0, count = 0;
   Eigen::Array<double, 2 * cell_nodes, Eigen::Dynamic> powers{};
-  Eigen::Matrix<double, 3, 6> taylor{};
+  Eigen::Matrix<double, 3, 9> taylor{};
 };
+
+THERMOROLL_CLONES void exponentials_of(const double* z, const double* u, OctaveSums& x) {
+  for (Eigen::Index i = 0; i < x.count; ++i)
+    for (int place = 0; place < 2 * cell_nodes; place += 4) {
+      Pack4 at, power;
+      load(z + place, at);
+      at = at * -u[i];
+      exp_of(at > -50 ? at : Pack4{} - 50, power);
+      store(power, &x.powers(place, i));
+    }
+}
 
 void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density,
                  const Eigen::ArrayXd& z, int octave) {
@@ -188,12 +221,12 @@ void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density
     return std::lower_bound(of.u.begin(), of.u.end(), u) - of.u.begin();
   };
   const bool anew = octave % 8 == 0;
-  if (anew) x.first = below(0x1p-15 / z.maxCoeff());
+  if (anew) x.first = below(0x1p-11 / z.maxCoeff());
   x.count = below(50 / z.minCoeff()) - x.first;
   if (!anew) return;
   const Eigen::Map<const Eigen::ArrayXd> u(of.u.data(), density.cols());
-  x.powers = (-z.matrix() * u.segment(x.first, x.count).matrix().transpose()).array();
-  x.powers = x.powers.max(-50).exp();
+  x.powers.resize(Eigen::NoChange, x.count);
+  exponentials_of(z.data(), of.u.data() + x.first, x);
   Eigen::ArrayXd power = Eigen::ArrayXd::Ones(x.first);  // (-u)^k / k!
   for (int k = 0; k < x.taylor.cols(); ++k) {
     x.taylor.col(k) = density.leftCols(x.first) * power.matrix();
@@ -202,36 +235,42 @@ void next_octave(OctaveSums& x, const Exponentials& of, const Densities& density
 }
 
 THERMOROLL_CLONES void sum_and_square(const double* density, OctaveSums& x, double* sums) {
-  for (int place = 0; place < 2 * cell_nodes; place += 4) {
-    Pack4 sum[3] = {}, p;
-    for (Eigen::Index i = 0; i < x.count; ++i) {
-      double* power = &x.powers(place, i);
-      load(power, p);
-      for (int k = 0; k < 3; ++k) sum[k] += density[3 * i + k] * p;
-      store(p * p, power);
+  constexpr int places = 2 * cell_nodes;
+  for (int place = 0; place < places; place += 12) {
+    Pack4 sum[9] = {}, p;
+    double* power = x.powers.data() + place;
+    const Eigen::Index count = x.count;
+    for (Eigen::Index i = 0; i < count; ++i, power += places) {
+      const double slope = density[3 * i], strain = density[3 * i + 1], heat = density[3 * i + 2];
+      for (int k = 0; k < 3; ++k) {
+        load(power + 4 * k, p);
+        sum[k] += slope * p;
+        sum[3 + k] += strain * p;
+        sum[6 + k] += heat * p;
+        store(p * p, power + 4 * k);
+      }
     }
-    for (Eigen::Index k = 0; k < 3; ++k) store(sum[k], sums + k * 2 * cell_nodes + place);
+    for (int k = 0; k < 9; ++k) store(sum[k], sums + k / 3 * places + place + 4 * (k % 3));
   }
 }
 
 Densities sums_of(OctaveSums& x, const Densities& density, const Eigen::ArrayXd& z) {
-  Eigen::Matrix<double, 2 * cell_nodes, 3> sums;
+  Eigen::Array<double, 2 * cell_nodes, 3> sums, rest;
+  rest.setZero();
+  for (Eigen::Index k = x.taylor.cols(); k-- > 0;)
+    for (Eigen::Index j = 0; j < 3; ++j) rest.col(j) = rest.col(j) * z + x.taylor(j, k);
   sum_and_square(density.data() + 3 * x.first, x, sums.data());
-  Densities all = sums.transpose();
-  Eigen::ArrayXd power = Eigen::ArrayXd::Ones(z.size());
-  for (int k = 0; k < x.taylor.cols(); ++k) {
-    all += x.taylor.col(k) * power.matrix().transpose();
-    power *= z;
-  }
-  return all;
+  return (sums + rest).matrix().transpose();
 }
 
 void add_octave(PairTable& table, const Densities& up, const Densities& down) {
-  static const Eigen::MatrixXd to_powers = powers(cell_places()).inverse();
+  static const Eigen::MatrixXd to_powers =
+      solve(powers(cell_places()), Eigen::MatrixXd::Identity(cell_nodes, cell_nodes));
   for (const int half : {0, cell_nodes}) {
     Eigen::Matrix<double, cell_nodes, 5> values;
-    values << up.middleCols<cell_nodes>(half).transpose(),
-        down.middleCols<cell_nodes>(half).middleRows<2>(1).transpose();
+    const auto above = up.middleCols<cell_nodes>(half).transpose();
+    const auto below = down.middleCols<cell_nodes>(half).transpose();
+    values << above.leftCols<2>(), below.rightCols<2>(), above.rightCols<1>();
     const Eigen::Matrix<double, cell_nodes, 5> c = to_powers * values;
     for (int i = 0; i < cell_nodes; ++i) table.coefficients.push_back(c.row(i).transpose());
   }

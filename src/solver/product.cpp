@@ -48,4 +48,10 @@ THERMOROLL_CLONES void add_product(double sign, const Given& a, const Given& b, 
   add_rows<Pack1, 1>(sign, a, b, i, c);
 }
 
+Eigen::MatrixXd product(double factor, const Given& a, const Given& b) {
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+  add_product(factor, a, b, c);
+  return c;
+}
+
 }  // namespace thermoroll

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include <Eigen/LU>
-
+#include "solver/linear_system.hpp"
 #include "solver/nested_iteration.hpp"
 
 namespace thermoroll {
@@ -44,7 +43,7 @@ void solve_normal(const Problem& problem, PublishedSolution& solution) {
   MatrixXd a(n + 2, n + 2);
   a << problem.cauchy + slope_matrix(problem, solution), VectorXd::Ones(n + 1), 2 / pi * s,
       w.transpose(), 0, 0;
-  const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
+  const VectorXd unknown = solve(a, VectorXd::Unit(n + 2, n + 1));
   solution.phi = unknown.head(n);
   solution.gamma0 = unknown(n);
   solution.load_ratio = unknown(n + 1);
@@ -71,7 +70,7 @@ void solve_stick(const Problem& problem, PublishedSolution& solution) {
   a << problem.cauchy, VectorXd::Constant(n + 1, -1);
   VectorXd right = a0 * solution.grid.s.array() - b0;
   right = right.unaryExpr([&](double s) { return rigid_strain(problem, solution, s); });
-  const VectorXd unknown = a.partialPivLu().solve(right);
+  const VectorXd unknown = solve(a, right);
   solution.phi0 = unknown.head(n);
   solution.creep_constant = unknown(n);
 }

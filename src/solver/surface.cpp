@@ -25,7 +25,7 @@ GradedArray temperature_kernel(const Conduction& c, double side, const GradedArr
   GradedArray m(zeta.size());
   for (Index i = 0; i < m.size(); ++i) m[i] = k[i].m_down;
   if (side < 0) return m;
-  return m * (zeta < underflow_distance).select((-2 * zeta).exp(), 0);
+  return m * (zeta < underflow_distance).select(exponentials(-2 * zeta), 0);
 }
 
 /// The sum of M times the heat, at a distance from the start of the graded rule.
@@ -51,7 +51,7 @@ struct SurfaceHeat {
 
   /// Of one body, over exp(-2 Pe distance).
   double growth_before(double distance) const {
-    const GradedArray heat = at_first * (-2 * first.zeta).exp();
+    const GradedArray heat = at_first * exponentials(-2 * first.zeta);
     return temperature_sum(conduction, first, heat, -1, conduction.peclet * distance);
   }
 

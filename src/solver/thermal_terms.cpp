@@ -66,7 +66,7 @@ void fill_stick_rows(ThermalTerms& thermal, const Scene& scene, const Conduction
   thermal.f.bottomRows(m).setZero();
   add_product(1, to_stick.n1, heat, thermal.f.bottomRows(m));
   add_product(1, to_stick.n2, heat, thermal.g.bottomRows(m));
-  if (law) thermal.temperature.bottomRows(m).noalias() = to_stick.m * heat;
+  if (law) thermal.temperature.bottomRows(m) = product(1, to_stick.m, heat);
 }
 
 /// The kernels of two bodies contain the share of the strain.

@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include <Eigen/LU>
-
 #include "model/kernel_table.hpp"
+#include "solver/linear_system.hpp"
 #include "solver/nested_iteration.hpp"
 
 namespace thermoroll {
@@ -101,7 +100,7 @@ CachedProblem cache(const Scene& scene, double traction, Formulation formulation
   stick << cauchy_matrix(g), VectorXd::Constant(n + 1, -1);
   const auto row = kernel == NodeKernel::sample ? sampled : averaged;
   MatrixXd slope(n + 1, n), strain(n, n);
-  const auto factors = stick.partialPivLu();
+  const auto factors = factors_of(stick);
   CachedProblem cached{scene, traction, formulation, row, normal, slope, strain, factors, {}};
   for (Index m = 0; m <= n; ++m)
     cached.slope.row(m) = strength * row(g, scene.peclet, g.s(m), n).n1.transpose();
@@ -116,7 +115,7 @@ void solve_normal(CachedProblem& cached, PublishedSolution& solution) {
   const Index n = slip.size();
   MatrixXd a = cached.normal;
   a.topLeftCorner(n + 1, n) += cached.slope * slip.asDiagonal();
-  const VectorXd unknown = a.partialPivLu().solve(VectorXd::Unit(n + 2, n + 1));
+  const VectorXd unknown = solve(a, VectorXd::Unit(n + 2, n + 1));
   solution.phi = unknown.head(n);
   solution.gamma0 = unknown(n);
   solution.load_ratio = unknown(n + 1);
@@ -133,7 +132,7 @@ void solve_stick(const CachedProblem& cached, PublishedSolution& solution) {
   for (double& s : right)
     s = 2 * cached.scene.friction / pi * solution.load_ratio * s -
         strain_row(cached, solution.grid, s, hot).matrix().dot(heat);
-  const VectorXd unknown = cached.stick.solve(right);
+  const VectorXd unknown = solve(cached.stick, right);
   solution.phi0 = unknown.head(n);
   solution.creep_constant = unknown(n);
 }

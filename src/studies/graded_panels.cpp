@@ -7,11 +7,10 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include "model/kernel_table.hpp"
 #include "solver/gauss_legendre.hpp"
 #include "solver/graded_rule.hpp"
+#include "solver/linear_system.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/quadrature.hpp"
 
@@ -231,7 +230,7 @@ VectorXd heat_by_newton(const TractionsOnPanels& x, const ArrayXd& sigma, double
     MatrixXd jacobian = (-sigma * v).matrix().asDiagonal() * x.p;
     jacobian.noalias() -= (sigma * p).matrix().asDiagonal() * x.v;
     jacobian.diagonal().array() += 1;
-    const VectorXd change = jacobian.partialPivLu().solve(h - (sigma * p * v).matrix());
+    const VectorXd change = solve(jacobian, h - (sigma * p * v).matrix());
     h -= change;
     if (change.lpNorm<Eigen::Infinity>() < 1e-8 * h.lpNorm<Eigen::Infinity>()) return h;
   }

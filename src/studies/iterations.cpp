@@ -6,9 +6,9 @@
 #include <limits>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "solver/linear_system.hpp"
 #include "thermoroll/scene.hpp"
 
 namespace thermoroll {
@@ -33,7 +33,7 @@ VectorXd heat_again(const FluxMap& map, const VectorXd& h) {
   const VectorXd held = map.sigma.array() * slip_factor(map, h);
   MatrixXd system = -through_p(map, h);
   system.diagonal().array() += 1;
-  return system.partialPivLu().solve(2 / pi * held);
+  return solve(system, 2 / pi * held);
 }
 
 /// The largest change of h relative to the largest h.
@@ -114,7 +114,7 @@ int newton(const FluxMap& map, VectorXd& h) {
         h.array() - map.sigma.array() * pressure_factor(map, h) * slip_factor(map, h);
     MatrixXd jacobian = -through_p(map, h) - through_v(map, h);
     jacobian.diagonal().array() += 1;
-    const VectorXd change = jacobian.partialPivLu().solve(off);
+    const VectorXd change = solve(jacobian, off);
     h -= change;
     if (!h.allFinite()) return 0;
     if (relative(change, h) < settled) return step;
@@ -145,7 +145,7 @@ int follow(const FluxMap& unit, double from, double to, VectorXd& h) {
 double contraction(const FluxMap& map, const VectorXd& h, double relaxation) {
   MatrixXd rest = -through_p(map, h);
   rest.diagonal().array() += 1;
-  const MatrixXd step = rest.partialPivLu().solve(through_v(map, h));
+  const MatrixXd step = solve(rest, through_v(map, h));
   return (1 - relaxation + relaxation * step.eigenvalues().array()).abs().maxCoeff();
 }
 

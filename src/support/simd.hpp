@@ -38,8 +38,8 @@ inline constexpr double inverse_factorials[] = {
     1 / 6227020800.0, 1 / 479001600.0, 1 / 39916800.0, 1 / 3628800.0, 1 / 362880.0, 1 / 40320.0,
     1 / 5040.0,       1 / 720.0,       1 / 120.0,      1 / 24.0,      1 / 6.0,      1 / 2.0};
 
-/// y = exp(x) - 1 for |x| < 700, with an error of at most three roundings.
-[[gnu::always_inline]] inline void exp_less_one(const Pack4& x, Pack4& y) {
+/// 2^k and exp(r) - 1, of which x is k ln 2 + r; |x| < 700.
+[[gnu::always_inline]] inline void split_exp(const Pack4& x, Pack4& power, Pack4& rest) {
   using Bits [[gnu::vector_size(32)]] = std::int64_t;
   constexpr double whole = 0x1.8p52 + 1023;
   const Pack4 shifted = x * 0x1.71547652b82fep0 + whole, k = shifted - whole;
@@ -49,8 +49,22 @@ inline constexpr double inverse_factorials[] = {
     even = even * square + c[1];
     odd = odd * square + c[0];
   }
-  const auto power = reinterpret_cast<Pack4>(reinterpret_cast<Bits>(shifted) << 52);
-  y = (power - 1) + power * (r + square * (even + r * odd));
+  power = reinterpret_cast<Pack4>(reinterpret_cast<Bits>(shifted) << 52);
+  rest = r + square * (even + r * odd);
+}
+
+/// y = exp(x) - 1 for |x| < 700, with an error of at most three roundings.
+[[gnu::always_inline]] inline void exp_less_one(const Pack4& x, Pack4& y) {
+  Pack4 power, rest;
+  split_exp(x, power, rest);
+  y = (power - 1) + power * rest;
+}
+
+/// y = exp(x) for |x| < 700, with an error of at most two.
+[[gnu::always_inline]] inline void exp_of(const Pack4& x, Pack4& y) {
+  Pack4 power, rest;
+  split_exp(x, power, rest);
+  y = power + power * rest;
 }
 
 /// y = sinh(x) for |x| < 700, from it, with an error of at most five.
