@@ -490,9 +490,7 @@ void add_all_creeps(CLI::App& command, Options& o) {
        {"--traction", "--creep", "--stick-slip-border", "--direction", "--branch", "--radius",
         "--method", "--nodes", "--tolerance", "--creep-ratio", "--tangential-load"})
     command.remove_option(command.get_option(name));
-  command.add_option("--tolerance", o.of_scene.tolerance, "1e-7 to 1e-2; 1e-4 unless given")
-      ->type_name("NUMBER")
-      ->check(finite_number("tolerance"))
+  add_number(command, "tolerance", o.of_scene.tolerance, "1e-7 to 1e-2; 1e-4 unless given")
       ->group("Method");
 }
 
@@ -505,10 +503,7 @@ void add_creep_curve(CLI::App& program, Options& o) {
                                                                {"to", &o.to, creep},
                                                                {"from-ratio", &o.from_ratio, ratio},
                                                                {"to-ratio", &o.to_ratio, ratio}};
-  for (const auto& [name, value, meaning] : ends)
-    command.add_option(std::string("--") + name, *value, meaning)
-        ->type_name("NUMBER")
-        ->check(finite_number(name));
+  for (const auto& [name, value, meaning] : ends) add_number(command, name, *value, meaning);
   command.add_option("--points", o.points, "number of rows, 101 unless given")
       ->type_name("NUMBER")
       ->check(whole_number("points"));

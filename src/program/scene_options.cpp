@@ -107,10 +107,7 @@ std::vector<std::string> names_of(const SceneOption (&options)[n]) {
 }
 
 void declare(CLI::App& command, SceneOptions& o, const SceneOption& option, const char* group) {
-  command.add_option(option.name, o.*option.value, option.meaning)
-      ->type_name(option.unit)
-      ->check(finite_number(option.name + 2, option.unit))
-      ->group(group);
+  add_number(command, option.name + 2, o.*option.value, option.meaning, option.unit)->group(group);
 }
 
 template <class T, std::size_t n>
@@ -192,7 +189,7 @@ Prescribed read_given(const SceneOptions& o) {
 void check_given_in_si(const SceneOptions& o, bool si) {
   if (!si && (o.creep_ratio || o.tangential_load))
     throw std::invalid_argument(std::string("for data in SI units only: ") + given_option(o).name);
-  const double most = o.friction * o.load.value_or(0);
+  const double most = o.friction.value_or(0) * o.load.value_or(0);
   if (!o.tangential_load || !(most > 0) || value_of(law_names, o.friction_law)) return;
   require(std::abs(*o.tangential_load) <= most, "tangential-load", *o.tangential_load,
           "between -" + shortest(most) + " and " + shortest(most) + " N/m, friction times load");
@@ -383,9 +380,7 @@ void add_scene_options(CLI::App& command, SceneOptions& o) {
   const auto add = [&](const SceneOption& option, const char* group) {
     declare(command, o, option, group);
   };
-  command.add_option("--friction", o.friction, "friction coefficient f, positive")
-      ->type_name("NUMBER")
-      ->check(finite_number("friction"))
+  add_number(command, "friction", o.friction, "friction coefficient f, positive")
       ->required()
       ->group("Scene");
   for (const SceneOption& option : given_options) add(option, "Scene");
@@ -413,7 +408,8 @@ GivenScene read_scene(const SceneOptions& o) {
   const std::optional<LawOfFriction> law = read_law(o, !given.empty());
   if (given.empty()) {
     if (!o.peclet) throw std::invalid_argument("--peclet is missing (or data in SI units)");
-    Scene scene{o.friction, *o.peclet, o.heating.value_or(0), read_roller(o), direction};
+    Scene scene{o.friction.value_or(0), *o.peclet, o.heating.value_or(0), read_roller(o),
+                direction};
     if (law) scene.law = *law;
     scene.bulk_difference = o.bulk_difference.value_or(0);
     return {scene, x, approach, {}, {}};
@@ -430,13 +426,21 @@ GivenScene read_scene(const SceneOptions& o) {
   si.bulk_temperature = o.bulk_temperature;
   si.bulk_temperature_2 = o.bulk_temperature_2;
   si.law = law;
-  GivenScene scene{{o.friction, 0, 0}, x, approach, si, o.radius};
+  GivenScene scene{{o.friction.value_or(0), 0, 0}, x, approach, si, o.radius};
   const SceneOption& option = given_option(o);
   if (o.creep_ratio) scene.unit = CreepUnit::ratio;
   if (o.creep_ratio || o.tangential_load)
     scene.as_given = std::string(option.name + 2) + " = " + shortest(*(o.*option.value));
   if (o.tangential_load) scene.as_given += " over load = " + shortest(*o.load);
   return scene;
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, Maybe& value,
+                        const std::string& meaning, const std::string& unit) {
+  const auto store = [&value](const std::string& text) { value = to_number(text); };
+  return command.add_option_function<std::string>("--" + name, store, meaning)
+      ->type_name(unit)
+      ->check(finite_number(name, unit));
 }
 
 CLI::Validator finite_number(const std::string& name, const std::string& unit) {

@@ -10,6 +10,7 @@
 
 namespace CLI {  // named only, as CLI11 takes seconds to compile wherever it is included
 class App;
+class Option;
 class ParseError;
 class Validator;
 }  // namespace CLI
@@ -19,7 +20,7 @@ namespace thermoroll {
 using Maybe = std::optional<double>;
 
 struct SceneOptions {
-  double friction = 0;
+  Maybe friction;
   Maybe traction, creep, border, creep_ratio, tangential_load;
   Maybe peclet, heating;
   Maybe load, speed, shear_modulus, poisson, expansion, diffusivity, conductivity;
@@ -65,6 +66,10 @@ CLI::Validator whole_number(const std::string& name);
 CLI::Validator not_empty(const std::string& name, const std::string& allowed);
 CLI::Validator file_name(const std::string& name);
 CLI::Validator one_of(const std::string& name, const std::vector<std::string>& words);
+
+/// An option for a finite number.
+CLI::Option* add_number(CLI::App& command, const std::string& name, Maybe& value,
+                        const std::string& meaning, const std::string& unit = "NUMBER");
 
 /// The name that is nearest to a word by the distance of @eq:edit-distance, or the first such name;
 /// empty if none is near enough to be meant, which is a fifth of the word's letters.

@@ -516,14 +516,17 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const bool all_slips = level.newton_steps == 0 ||
                          (level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given));
   if (!all_slips) {
+    struct AllSlips {};
     try {
       return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
         const bool is_coarse = last.h.size() == level.h.size();
-        return at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
+        GridSolution next =
+            at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
+        const bool at_the_edge = n >= 60 && next.at.stick < 1e-3;
+        if (at_the_edge && slips_everywhere(scene, formulation, 160, given)) throw AllSlips{};
+        return next;
       });
-    } catch (const NotResolved& refusal) {
-      const double border = refusal.trace.back().border;
-      if (border > -0.999 || !slips_everywhere(scene, formulation, 160, given)) throw;
+    } catch (const AllSlips&) {
     }
   }
   return solve_full_slip(scene, approach, given.value);

@@ -6,8 +6,19 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <CLI/CLI.hpp>
 
 using thermoroll::nearest;
+
+// This text is next to the middle of two doubles. By way of a long double, which rounds it to the
+// middle, it is the even one of them, which is the farther.
+TEST(SceneOptions, NumbersAreRoundedOnce) {
+  thermoroll::SceneOptions options;
+  CLI::App command;
+  thermoroll::add_scene_options(command, options);
+  command.parse("--friction 0.3 --traction 0.1 --heating 4.089949435078855 --peclet 1");
+  EXPECT_EQ(thermoroll::read_scene(options).scene.heating, 4.089949435078855);
+}
 
 // Every word that is one letter away from a name leads to it, by any of the four mistakes, and no
 // word that is further away than a fifth of its letters.
