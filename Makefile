@@ -453,7 +453,7 @@ soak: build/thermoroll
 mutants: build/tangle.stamp
 	@$(apart) bash tests/mutants/run.sh $(ONLY)
 
-fuzz_targets := arguments file table scene interface
+fuzz_targets := arguments file table scene law interface
 ## fuzz: look for inputs that break a way in, each for its share of MINUTES (4; needs clang)
 fuzz: | build
 	$(call configure,fuzz)

@@ -313,7 +313,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
-    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share);
+    left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + 2e-15 * n;
     const bool one_bulk = scene.bulk_difference == 0;
     if (flat && one_bulk && n <= 200)
       left(max_temperature) = std::max(left(max_temperature), now / (n * n));
@@ -368,7 +368,8 @@ CoupledSolution solution_of(const Scene& scene, const Approach& approach, const 
   Results error = found.error;
   error(max_temperature) =
       error_of_hottest(scene, level, error(max_temperature), approach.tolerance);
-  const double of_place = std::sqrt(error(max_temperature));
+  const double bend = scene.bulk_difference != 0 ? std::abs(level.peak.curvature) : 1;
+  const double of_place = std::min(1.0, std::sqrt(error(max_temperature) / std::min(1.0, bend)));
   error *= scale_in(scene, level.value);
   const auto n = static_cast<int>(level.h.size());
   CoupledSolution x{scene,   approach.formulation, found.value, error, n, level.newton_steps,

@@ -1,8 +1,8 @@
-// The coupled solver: a byte for the formulation, for what is given and for the direction, then the
-// bytes of the friction, the value given, the Peclet number, the heating and the tolerance and, if
-// there are more, of the cylinder's conductivity and heating and, if there are still more, its
-// Peclet number, the bulk difference, and the temperature, floor and reference of a law of
-// friction.
+// The coupled solver: a byte for the formulation, for what is given, the direction, the law and the
+// branch, then the bytes of the friction, the value given, the Peclet number, the heating and the
+// tolerance and, if there are more, of the cylinder's conductivity and heating and, if there are
+// still more, its Peclet number, the bulk difference, and the temperature, floor and reference of a
+// law of friction.
 #include <array>
 #include <cstring>
 #include <stdexcept>
@@ -19,7 +19,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::memcpy(x.data(), data + 1, size - 1);
   const Quantity kinds[] = {Quantity::traction, Quantity::creep, Quantity::stick_slip_border};
   const Formulation formulation = data[0] % 2 == 0 ? Formulation::corrected : Formulation::printed;
-  const Prescribed given{kinds[data[0] / 2 % 3], x[1]};
+  const Branch branch = data[0] / 48 % 2 == 0 ? Branch::rising : Branch::falling;
+  const Prescribed given{kinds[data[0] / 2 % 3], x[1], branch};
   const Direction direction = data[0] / 6 % 2 == 0 ? Direction::driving : Direction::braking;
   Scene scene{x[0], x[2], x[3], {x[5], x[6], x[7]}, direction};
   scene.bulk_difference = x[8];

@@ -75,7 +75,8 @@ bool is_plain(const Scene& scene) {
 }
 
 CoupledSolution solve(const Sample& x, double given) {
-  return solve_coupled(x.scene, {x.formulation, x.tolerance}, {x.given.quantity, given});
+  return solve_coupled(x.scene, {x.formulation, x.tolerance},
+                       {x.given.quantity, given, x.given.branch});
 }
 
 /// What is said of a solution must be numbers, keep the tolerance and fit together.
@@ -93,8 +94,9 @@ void examine_results(const Record& record, const Sample& x, const CoupledSolutio
   const Quantity given = x.given.quantity;
   record.within("what is given comes out", v(given) - x.given.value, std::max(e(given), 1e-15));
   const bool slips = v(stick_slip_border) == -1;
-  record.require("the border is in the contact, or a creep leaves no stick",
-                 std::abs(v(stick_slip_border)) < 1 || (slips && given == creep));
+  const bool may_slip = given == creep || (given == traction && x.scene.law);
+  record.require("the border is in the contact, or a creep or a hot traction leaves no stick",
+                 std::abs(v(stick_slip_border)) < 1 || (slips && may_slip));
   record.require("full slip pulls with the friction",
                  !slips || x.scene.law || v(traction) == x.scene.friction);
   const bool warms = v(max_temperature) > 0 || x.scene.bulk_difference != 0;  // of the warmer bulk
@@ -140,7 +142,8 @@ void examine_least_model(const Record& record, const Sample& x, const CoupledSol
 /// As a user gives it: a border has no sign.
 Prescribed signed_given(const Sample& x) {
   const bool has_sign = x.given.quantity != stick_slip_border;
-  return {x.given.quantity, has_sign ? sign_of(x.scene.direction) * x.given.value : x.given.value};
+  return {x.given.quantity, has_sign ? sign_of(x.scene.direction) * x.given.value : x.given.value,
+          x.given.branch};
 }
 
 Solution solve_to(const Sample& x, double tolerance) {
@@ -273,13 +276,15 @@ bool same_bits(const Results& a, const Results& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * Results::SizeAtCompileTime) == 0;
 }
 
-/// Once more gives the same bits; less traction or creep leaves more stick.
+/// Once more gives the same bits; less traction or creep leaves more stick, but for a falling
+/// branch and where the state without slip is not zero.
 void examine_again(const Record& record, const Sample& x, const CoupledSolution& found) {
   const CoupledSolution again = solve(x, x.given.value);
   record.require("once more gives the same bits", same_bits(found.value, again.value) &&
                                                       same_bits(found.error, again.error) &&
                                                       found.h == again.h);
   if (x.given.quantity == stick_slip_border || !found.violations.empty()) return;
+  if (x.given.branch == Branch::falling || x.scene.bulk_difference != 0) return;
   const double most = x.given.quantity == traction ? x.scene.friction : 2 * x.scene.friction / pi;
   const double given = x.given.value, less = given - 0.05 * std::min(given, std::abs(most - given));
   try {
@@ -470,11 +475,10 @@ void examine_energy(const Record& record, const Sample& x, const CoupledSolution
 
 }  // namespace
 
-/// The options of a cylinder that conducts or brakes.
+/// The options of a cylinder that conducts.
 static std::string text_of_pair(const Scene& scene) {
   const Roller& roller = scene.roller;
-  const bool brakes = scene.direction == Direction::braking;
-  std::string text = brakes ? " --direction braking" : "";
+  std::string text;
   if (roller.conductivity_ratio > 0)
     text += " --roller conducting --conductivity-ratio " + shortest(roller.conductivity_ratio) +
             " --heating-2 " + shortest(roller.heating);
@@ -502,7 +506,9 @@ std::string text(const Sample& x) {
          shortest(signed_given(x).value) + " --peclet " + shortest(x.scene.peclet) + " --heating " +
          shortest(x.scene.heating) + " --tolerance " + shortest(x.tolerance) +
          (x.formulation == Formulation::printed ? " --formulation printed" : "") +
-         text_of_pair(x.scene) + text_of_law(x.scene);
+         (by_border && x.scene.direction == Direction::braking ? " --direction braking" : "") +
+         (x.given.branch == Branch::falling ? " --branch falling" : "") + text_of_pair(x.scene) +
+         text_of_law(x.scene);
 }
 
 /// Near both ends of (0, 1) log-uniform down to the least, in between uniform.
@@ -537,20 +543,34 @@ static LawOfFriction spread_law(Random& random, LawKind kind, double warm) {
   return {kind, {scale, floor, random.one_of(2) ? 0 : warm * random.log_uniform(1e-3, 1)}};
 }
 
+/// As far from the state without slip as from zero without a bulk difference.
+static Prescribed beyond_rest(const Scene& scene, Prescribed given) {
+  const NoSlip rest = no_slip(scene, 1e-2);
+  const double sign = sign_of(scene.direction), pull = sign * rest.traction;
+  if (std::abs(pull) > 0.5 * scene.friction) return {stick_slip_border, 0};
+  if (given.quantity == creep) given.value += sign * rest.creep;
+  if (given.quantity == traction) given.value = pull + given.value * (1 - pull / scene.friction);
+  return given;
+}
+
 /// Of sixteen scenes one has a law of friction, one two bodies of different diffusivities, and one
-/// bodies of different bulk temperatures; their scale is about that of the hottest point.
+/// bodies of different bulk temperatures, and half of the first and last have more than one of
+/// these. Their scale is about that of the hottest point.
 static void extend(Random& random, std::uint64_t number, Sample& x) {
   Scene& scene = x.scene;
   const double warm = scene.friction / std::sqrt(1 + scene.peclet);
-  const bool unlike = number % 16 == 9, bulk = number % 16 == 13;
-  if (number % 16 == 5) scene.law = spread_law(random, static_cast<LawKind>(number / 16 % 4), warm);
+  const std::uint64_t kind = number / 2 % 16, turn = number / 32;  // of even numbers, too
+  const bool law = kind == 5, both = (kind == 13 && turn % 2 == 1) || (law && turn % 8 == 4);
+  const bool unlike = kind == 9 || both || (law && turn % 8 == 5);
+  const bool bulk = kind == 13 || both || (law && turn % 8 == 6);
+  if (law) scene.law = spread_law(random, static_cast<LawKind>(turn / 8 % 4), warm);
+  if (law && x.given.quantity == traction && random.one_of(4)) x.given.branch = Branch::falling;
   if ((unlike || bulk) && scene.roller.conductivity_ratio == 0)
     scene.roller = {random.log_uniform(0.1, 10), scene.heating};
   if (unlike) scene.roller.peclet = scene.peclet * random.log_uniform(0.1, 10);
   if (!bulk) return;
   scene.bulk_difference = (random.one_of(2) ? 1 : -1) * warm * random.log_uniform(1e-3, 1);
-  if (x.given.quantity != stick_slip_border)  // others have their sign from the state without slip
-    x.given = {stick_slip_border, random.uniform(-0.99, 0.99)};
+  x.given = beyond_rest(scene, x.given);
 }
 
 Sample sample(std::uint64_t seed, std::uint64_t number) {

@@ -28,7 +28,8 @@ std::string text(const Sample& x);
 /// the border of Carter's solution is given in place of the traction. A third of the cylinders each
 /// insulates, is the same body or conducts otherwise, and half of them brake. Of sixteen scenes one
 /// has a law of friction, one bodies of different diffusivities and one different bulk
-/// temperatures.
+/// temperatures; some laws and half of the last are between bodies of different diffusivities, some
+/// laws have different bulk temperatures, and a quarter of their tractions the falling branch.
 Sample sample(std::uint64_t seed, std::uint64_t number);
 
 /// How far something may be from what it should be, and the scene in which it was so far.

@@ -65,6 +65,7 @@ thermoroll_scene in_c(const GivenScene& from) {
                                                           : THERMOROLL_CREEP;
   const Direction direction = from.physical ? from.physical->direction : from.scene.direction;
   if (by_border) to.direction = static_cast<int32_t>(direction);
+  to.branch = static_cast<int32_t>(from.given.branch);
   to.method = static_cast<int32_t>(from.approach.method);
   to.formulation = static_cast<int32_t>(from.approach.formulation);
   to.tolerance = from.approach.tolerance;
@@ -107,7 +108,7 @@ void examine_places(const Record& record, thermoroll_scene scene, const thermoro
   const double off = points[0].temperature - told.value.max_temperature;
   record.within("the hottest point in C is the hottest", off, points[0].temperature_error);
   // A colder body above may leave it warmer below the surface.
-  if (scene.bulk_difference != 0) return;
+  if (scene.bulk_difference != 0 || std::isfinite(scene.bulk_temperature_2)) return;
   record.within("below the hottest point it is no hotter",
                 std::max(0.0, points[1].temperature - points[0].temperature),
                 10 * (points[0].temperature_error + points[1].temperature_error));
