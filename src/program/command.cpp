@@ -337,6 +337,21 @@ std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<doub
   return notes_on(si, creep, rise);
 }
 
+/// Where a curve ends that was not asked to.
+std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double to,
+                                       const std::optional<LawUnits>& units) {
+  std::vector<std::string> notes;
+  for (const double creep : {from, to}) {
+    const auto& [half, sign, size] = side_of(law, creep);
+    if (size <= half.last_creep) continue;
+    const double last = law.no_slip_creep + sign * half.last_creep;
+    notes.push_back(
+        (units ? "the curve ends at the creep ratio " : "the curve ends at the creep ") +
+        rounded_towards_zero(last * (units ? units->creep : 1)) + ": " + half.reason);
+  }
+  return notes;
+}
+
 void run_creep_curve(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   check(c.scene);
@@ -353,6 +368,7 @@ void run_creep_curve(const Options& o) {
   const CurveRange range{bound(first_end, from, law), bound(last_end, to, law), o.points};
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
+  print_notes(notes_on_ends(law, from, to, c.units));
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));
 }
 

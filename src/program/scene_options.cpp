@@ -66,7 +66,7 @@ constexpr SceneOption law_options[] = {
     {"--friction-floor", "NUMBER", "least friction over f, 0 unless given (piecewise-linear: last)",
      &SceneOptions::friction_floor},
     {"--friction-reference-temperature", "NUMBER",
-     "up to where friction is f: T* over the bulk, or degree C with SI data; the bulk if not given",
+     "up to where friction is f: T* over the half-space's bulk, degree C in SI; else that bulk",
      &SceneOptions::friction_reference_temperature}};
 
 constexpr SceneOption bulk_options[] = {
@@ -200,6 +200,10 @@ Direction read_direction(const SceneOptions& o, const Prescribed& given) {
   if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
   const Direction direction = value_of(direction_names, o.direction);
   const SceneOption& option = given_option(o);
+  if (has_sign && (o.bulk_difference.value_or(0) != 0 || o.bulk_temperature_2))
+    throw std::invalid_argument(
+        std::string("--direction is for a given border where bulk temperatures differ: with ") +
+        option.name + " it follows from the state without slip");
   if (has_sign && given.value * sign_of(direction) < 0)
     throw std::invalid_argument("--direction " + o.direction + " contradicts " + option.name + ' ' +
                                 shortest(*(o.*option.value)) +

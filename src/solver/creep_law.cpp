@@ -305,7 +305,8 @@ std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double toleran
 
 void end_after_pieces(LawHalf& half, double tolerance, double reach) {
   if (half.pieces.empty())
-    throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere", {});
+    throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere: " + half.reason,
+                      {});
   const double z = half.pieces.back().to;
   const double share = slips_partially(half.pieces.back()) ? std::min(z * z, 1.0) : 1 / (2 - z);
   half.last_creep = z < 2 ? half.unit_creep * share : std::numeric_limits<double>::infinity();

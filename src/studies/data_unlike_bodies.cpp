@@ -1,11 +1,13 @@
 // Tangled from paper/23-unlike-bodies.md, paper/24-exchanged-heat.md; edit there.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "solver/grid_solution.hpp"
 #include "studies/data.hpp"
 #include "studies/paper_scene.hpp"
 #include "support/number_text.hpp"
+#include "thermoroll/creep_law.hpp"
 #include "thermoroll/solution.hpp"
 
 namespace thermoroll {
@@ -108,6 +110,28 @@ void temperatures_of_a_hot_wheel(std::ostream& out) {
 }
 
 const FigureData hot_wheel_b_data{"hot-wheel-b", temperatures_of_a_hot_wheel};
+
+CreepLaw law_of_a_wheel(double friction, double difference) {
+  Scene scene{friction, 100, paper::heating, {1, paper::heating}};
+  scene.law = linear_friction({0.06});
+  scene.bulk_difference = difference;
+  return creep_law(scene, Formulation::corrected, 1e-6);
+}
+
+void grips_of_a_hot_wheel(std::ostream& out) {
+  row(out, "creep", "equal", "third", "whole", "mean_third", "mean_whole");
+  const double f = paper::friction, sixth = 5 * f / 6, half = f / 2;
+  const CreepLaw laws[] = {law_of_a_wheel(f, 0), law_of_a_wheel(f, 0.02), law_of_a_wheel(f, 0.06),
+                           law_of_a_wheel(sixth, 0), law_of_a_wheel(half, 0)};
+  for (const double creep : grid(0, 0.6, 120)) {
+    double q[5];
+    std::transform(std::begin(laws), std::end(laws), q,
+                   [&](const CreepLaw& law) { return evaluate(law, creep).value().traction; });
+    row(out, creep, q[0], q[1], q[2], q[3], q[4]);
+  }
+}
+
+const FigureData hot_wheel_grip_data{"hot-wheel-grip", grips_of_a_hot_wheel};
 
 void without_slip(std::ostream& out) {
   row(out, "$\\mathrm{Pe}$", "$\\xi_0^*/X$", "$Q_0^*/X$");

@@ -96,3 +96,25 @@ TEST(UnlikeBodiesFigures, ARailStepsToTheMeanAndCools) {
   EXPECT_NEAR(warm.y.front(), 0, 1e-6);
   EXPECT_GT(largest(warm), 1);
 }
+
+// At the leading edge the contact steps to the mean temperature, from which it differs by a layer
+// of 1/Pe at the trailing edge only, that is by a hundredth of the contact and of the friction.
+// Before that counts the traction without slip, which is what the curves begin with.
+TEST(UnlikeBodiesFigures, AHotWheelGripsAsAtTheMean) {
+  const auto over_creep = [](const std::string& column) {
+    return curve(data("hot-wheel-grip"), {}, "creep", column);
+  };
+  double higher = largest(over_creep("equal"));
+  for (const std::string wheel : {"third", "whole"}) {
+    const Curve hot = over_creep(wheel), mean = over_creep("mean_" + wheel);
+    const double loss = hot.y.front(), share = wheel == "third" ? 5.0 / 6 : 0.5;
+    EXPECT_LT(loss, 0);
+    EXPECT_EQ(mean.y.front(), 0);
+    for (std::size_t i = 0; i < hot.x.size(); ++i)
+      EXPECT_NEAR(hot.y[i], mean.y[i], std::abs(loss) + 0.01 * largest(mean)) << hot.x[i];
+    EXPECT_NEAR(largest(hot), largest(mean), 0.01 * largest(mean));
+    EXPECT_LT(largest(hot), higher);
+    EXPECT_GT(largest(hot), share * largest(over_creep("equal")));  // a lower friction heats less
+    higher = largest(hot);
+  }
+}
