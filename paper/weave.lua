@@ -987,7 +987,8 @@ local function collect_chunks()
   for _, chunk in pairs(chunks) do
     for part, piece in ipairs(chunk.pieces) do piece.part = part end
   end
-  for _, piece in ipairs(pieces) do
+  for place, piece in ipairs(pieces) do
+    piece.place = place
     for _, line in ipairs(piece.code) do
       local _, name = tangle.reference(line)
       if name and not chunks[name] then
@@ -1096,8 +1097,14 @@ end
 
 local chunk_code
 
---- A piece's code: runs of lines, and between them references that open to the chunk's own code; in a
---- file, which stands whole in the index of files, they are links.
+--- Whether a reference is no more than a link: in a file, which stands whole in the index of files, and
+--- where the chunk is what comes next.
+local function stands_elsewhere(chunk, piece)
+  return piece.file or chunk.pieces[1].place == piece.place + 1
+end
+
+--- A piece's code: runs of lines, and between them references that open to the chunk's own code or are
+--- links.
 local function piece_code(piece)
   if piece.shown then return piece.shown end
   local out, run = {}, {}
@@ -1107,7 +1114,7 @@ local function piece_code(piece)
   end
   for k, line in ipairs(piece.code) do
     local space, name = tangle.reference(line)
-    if chunks[name or ""] and piece.file then
+    if chunks[name or ""] and stands_elsewhere(chunks[name], piece) then
       table.insert(run, space .. link(anchor(chunks[name].pieces[1]), chunks[name].html))
     elseif chunks[name or ""] then
       flush()

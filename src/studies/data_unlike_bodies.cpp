@@ -123,7 +123,7 @@ void grips_of_a_hot_wheel(std::ostream& out) {
   const double f = paper::friction, sixth = 5 * f / 6, half = f / 2;
   const CreepLaw laws[] = {law_of_a_wheel(f, 0), law_of_a_wheel(f, 0.02), law_of_a_wheel(f, 0.06),
                            law_of_a_wheel(sixth, 0), law_of_a_wheel(half, 0)};
-  for (const double creep : grid(0, 0.6, 120)) {
+  for (const double creep : grid(0, 0.6, 60)) {
     double q[5];
     std::transform(std::begin(laws), std::end(laws), q,
                    [&](const CreepLaw& law) { return evaluate(law, creep).value().traction; });

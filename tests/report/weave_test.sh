@@ -586,6 +586,11 @@ int b;  // @eq:e
 ``` {.cpp #part}
 int c;
   <<inner>>
+  <<next>>
+```
+
+``` {.cpp #next title="Next"}
+int e;
 ```
 
 ``` {.cpp #inner title="Within"}
@@ -596,8 +601,8 @@ See @lst:part.
 END
   expect '⟨A part of x 2⟩part 1 of 2 ↓' '⟨A part of x 2⟩part 2 of 2 ↑' 'used in ⟨The file 1⟩' \
     'file src/a.cpp · in one.md:8' 'int b; // Eq. (1)' 'See ⟨A part of x 2⟩.' \
-    'src/a.cpp 4 lines from one.md'
-  expect_html 'id="lst:part"' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
+    'src/a.cpp 5 lines from one.md'
+  expect_html 'id="lst:part"' '  <a href="#lst:next">' 'id="lst:part:2"' 'href="#lst:part:2"' 'id="file:src/a.cpp"' \
     '<details class="expand" style="--indent:2"><summary><a href="#lst:inner">' '  <a href="#lst:part">'
 }
 

@@ -545,7 +545,9 @@ static LawOfFriction spread_law(Random& random, LawKind kind, double warm) {
 
 /// As far from the state without slip as from zero without a bulk difference.
 static Prescribed beyond_rest(const Scene& scene, Prescribed given) {
-  const NoSlip rest = no_slip(scene, 1e-2);
+  NoSlip rest = no_slip(scene, 1e-2);
+  if (given.value < 0.1 * std::abs(given.quantity == traction ? rest.traction : rest.creep))
+    rest = no_slip(scene);
   const double sign = sign_of(scene.direction), pull = sign * rest.traction;
   if (std::abs(pull) > 0.5 * scene.friction) return {stick_slip_border, 0};
   if (given.quantity == creep) given.value += sign * rest.creep;
