@@ -487,7 +487,8 @@ void add_solve(CLI::App& program, Options& o) {
 }
 
 void add_temperature(CLI::App& program, Options& o) {
-  CLI::App& command = *program.add_subcommand("temperature", "Print temperatures as CSV");
+  CLI::App& command =
+      *program.add_subcommand("temperature", "Print temperatures of the half-space as CSV");
   add_scene_options(command, o.of_scene);
   command
       .add_option(

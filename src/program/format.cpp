@@ -106,7 +106,7 @@ void add_exchange(Object& o, Object* error, const Solution& x) {
   const double apart = distortions_apart(scene);
   const double sign = coupled ? slope_sign(coupled->formulation) : 0;
   const double unit = 2 * sign * scene.friction / pi * apart;
-  tell("edge_log_coefficient", unit * edge.edge, std::abs(unit) * edge.edge_error);
+  tell("edge_log_coefficient", unit * edge.edge + 0.0, std::abs(unit) * edge.edge_error);
 }
 
 void describe_law(Object& o, const Scene& scene, const CoupledSolution* found) {
@@ -395,12 +395,13 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     plain("conductivity_ratio", "K2/K1");
     plain("peclet_2", "Pe2");
     plain("effusivity_ratio", "e2/e1");
-    plain("heat_partition", is_unlike(x.scene) ? "" : "omega");
+    if (!o["heat_partition"].is_null()) plain("heat_partition", is_unlike(x.scene) ? "" : "omega");
   }
-  if (x.scene.bulk_difference != 0)
-    for (const char* name : {"bulk_difference", "exchanged_heat", "no_slip_traction",
-                             "no_slip_creep", "edge_log_coefficient"})
-      plain(name, "");
+  if (x.scene.bulk_difference != 0) plain("bulk_difference", "");
+  for (const char* name :
+       {"exchanged_heat", "no_slip_traction", "no_slip_creep", "edge_log_coefficient"})
+    if (x.scene.bulk_difference != 0)
+      add_row(table, {name, "", o[name], x.error ? double(o["error_estimate"][name]) : 0, 9, ""});
   if (x.scene.direction == Direction::braking) plain("direction", "");
   if (x.scene.law) {
     plain("friction_law", "");
