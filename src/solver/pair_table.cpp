@@ -166,8 +166,8 @@ struct InCell {
 
 [[gnu::always_inline]] inline InCell look_up(const PairTable& table, double z) {
   const Cell cell = cell_of(z);
-  const int at = cell.number - table.first;
-  if (at >= static_cast<int>(table.coefficients.size()) / cell_nodes) return {nullptr, 0};
+  const int at = cell.number - table.first, size = static_cast<int>(table.coefficients.size());
+  if (size == 0 || at >= size / cell_nodes) return {nullptr, 0};
   const auto before = static_cast<std::size_t>(std::max(at, 0)) * cell_nodes;
   return {&table.coefficients[before], at < 0 ? -1 : cell.x};  // next to zero they are constant
 }
