@@ -398,6 +398,8 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
   const LawErrors error = driving.error.max(braking.error);
   const double coldest = std::min(0.0, scene.bulk_difference);
   const double traction_error = error(0) + rest.traction_error;
+  if (!std::isfinite(traction_error + error.sum() + rest.traction + rest.creep))
+    throw NotResolved("law: its numbers are not finite, at an extreme speed", {});
   return {driving.half, braking.half, traction_error, error(2),
           error(1),     rest.creep,   rest.traction,  coldest};
 }
