@@ -200,7 +200,8 @@ Direction read_direction(const SceneOptions& o, const Prescribed& given) {
   if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
   const Direction direction = value_of(direction_names, o.direction);
   const SceneOption& option = given_option(o);
-  if (has_sign && (o.bulk_difference.value_or(0) != 0 || o.bulk_temperature_2))
+  const bool two_bulks = o.bulk_temperature_2 && o.bulk_temperature_2 != o.bulk_temperature;
+  if (has_sign && (o.bulk_difference.value_or(0) != 0 || two_bulks))
     throw std::invalid_argument(
         std::string("--direction is for a given border where bulk temperatures differ: with ") +
         option.name + " it follows from the state without slip");

@@ -109,6 +109,7 @@ TEST(UnlikeBodiesFigures, AHotWheelGripsAsAtTheMean) {
     const Curve hot = over_creep(wheel), mean = over_creep("mean_" + wheel);
     const double loss = hot.y.front(), share = wheel == "third" ? 5.0 / 6 : 0.5;
     EXPECT_LT(loss, 0);
+    EXPECT_GT(loss, -0.014 * 0.6);
     EXPECT_EQ(mean.y.front(), 0);
     for (std::size_t i = 0; i < hot.x.size(); ++i)
       EXPECT_NEAR(hot.y[i], mean.y[i], std::abs(loss) + 0.01 * largest(mean)) << hot.x[i];

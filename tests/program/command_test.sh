@@ -725,6 +725,21 @@ BulkDifference() {
   # The direction of a traction or creep is that from the state without slip.
   refuses 2 "--direction is for a given border where bulk temperatures differ" \
     solve --friction 0.6 --creep 0.1 --peclet 100 --heating 1 --roller identical --bulk-difference 0.01 --direction driving
+  # An aluminium roller much hotter than steel: the curve says where contact is lost; at 400 K it is lost
+  # within a thousandth of the half-width from the leading edge.
+  local aluminium=(--friction 0.3 --load 1.2e7 --half-width 7.8e-3 --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5
+    --diffusivity 1.4e-5 --conductivity 50 --roller conducting --conductivity-2 200 --expansion-2 2.3e-5 --diffusivity-2 8.5e-5
+    --speed 20 --bulk-temperature 20)
+  run creep-curve "${aluminium[@]}" --bulk-temperature-2 300 --points 3
+  [ $status -eq 0 ] || fail "$status: $(cat err)"
+  grep -q 'note: the curve ends at the creep ratio -0.0019.*: contact is lost' err || fail "no end: $(cat err)"
+  grep -q 'note: the curve ends at the creep ratio 0.0020.*: contact is lost' err || fail "no other end: $(cat err)"
+  run creep-curve "${aluminium[@]}" --bulk-temperature-2 300 --points 3 --from-ratio -0.001 --to-ratio 0.001
+  [ $status -eq 0 ] || fail "$status: $(cat err)"
+  ! grep -q 'the curve ends' err || fail "an end that was asked for: $(cat err)"
+  run solve "${aluminium[@]}" --bulk-temperature-2 420 --creep-ratio 0.001
+  [ $status -eq 5 ] && grep -q 'separation at s = -0.999.* to -0.999' err || fail "$status: $(cat err)"
+  answers solve "${aluminium[@]}" --bulk-temperature-2 20 --creep-ratio 0.001 --direction driving
   # The singular flux at the edge is that of conduction alone; the slope that it bends has the sign of
   # the formulation, @eq:edge-logarithm.
   local unlike=(--friction 0.6 --stick-slip-border 0 --peclet 20 --heating 0.7 --roller conducting

@@ -519,6 +519,9 @@ END
   expect_html 'aria-label="p &lt; 2 &amp; &quot;q&quot; &gt; 1"' 'title="Equation (2&lt;3&amp;4) of the paper">[2&lt;3&amp;4]<' \
     'id="file:src/a&lt;b&amp;.cpp"' 'href="#file:src/a&lt;b&amp;.cpp"><code>src/a&lt;b&amp;.cpp</code>' \
     'id="lst:src/a&lt;b&amp;.cpp"'
+  # A file of one chunk stands once, in its chunk.
+  expect_html '<p class="file" id="file:src/a&lt;b&amp;.cpp">' '>whole in '
+  [ "$(grep -c 'a;$' page.html)" -eq 1 ] || fail "the file stands twice"
 }
 
 FiguresKeepTheirIdsApart() {

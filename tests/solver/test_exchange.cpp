@@ -2,6 +2,7 @@
 // equation.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <variant>
 #include <vector>
@@ -964,6 +965,26 @@ TEST(Exchange, TemperaturesAgree) {
     EXPECT_LT(points[nodes + 1].temperature, 0.1 * top);
     EXPECT_LT(points[nodes + 2].temperature, 0.9 * top);
   }
+}
+
+// Next to no slip the difference makes the temperature almost constant in the slip zone, and so its
+// maximum flatter than the heat of friction would: the place is the less sure. The unit in the last
+// place of a result is the least error that it can have.
+TEST(Exchange, ErrorsOfTinySlipZones) {
+  Scene warmer{1.2599430197087078, 32.43007107574098, 0.0001209692811998843};
+  warmer.roller = {0.13096997752917805, warmer.heating, 22.82253271784958};
+  warmer.bulk_difference = 0.004846014021372036;
+  const Prescribed pull{Quantity::traction, 4.5012907043418436e-07};
+  const CoupledSolution x = solve_coupled(warmer, {Formulation::printed, 1e-6}, pull);
+  const CoupledSolution fine = solve_coupled(warmer, {Formulation::printed, 1e-10}, pull);
+  const Quantity place = Quantity::max_temperature_at;
+  EXPECT_NEAR(x.value(place), fine.value(place), x.error(place) + fine.error(place));
+  Scene unlike{0.7920010034025864, 18.62901118794748, 0.3334084905751333};
+  unlike.roller = {8.391729080148536, unlike.heating, 7.110891770974706};
+  const CoupledSolution y = solve_coupled(unlike, {Formulation::printed, 1e-6},
+                                          {Quantity::stick_slip_border, 0.999999988039021});
+  for (const Quantity q : {Quantity::creep, Quantity::creep_constant})
+    EXPECT_GT(y.error(q), std::numeric_limits<double>::epsilon() * std::abs(y.value(q)));
 }
 
 }  // namespace
