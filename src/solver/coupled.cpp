@@ -126,7 +126,8 @@ Results estimate(const Results& change, const Results& share, double now, double
   if (!at.slow) error(max_temperature) = of_one_point * change(max_temperature);
   const double largest = error.head(compared).maxCoeff(), in_layer = at.slow ? 200 : 30;
   const double of_tail = unresolved(now, at.n, at.slow, at.n < 30 ? 20 : 10, in_layer);
-  error = error.max(share * std::max(largest, of_tail));
+  const double stalled = at.n >= 30 && now >= before ? now : 0;
+  error = error.max(share * std::max({largest, of_tail, stalled}));
   error(max_temperature) += 12 * std::pow(24 + std::max(at.n, 20), -6);
   return error + 2e-15 * at.n;
 }

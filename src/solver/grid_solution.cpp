@@ -282,8 +282,8 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
 }
 
 double unresolved(double tail, int n, bool slow, double of_integrals, double in_layer) {
-  const bool early = n <= 100 && (slow || n >= 30);
-  const double large = early ? (slow ? 0 : 2e-4) : 1e-3;
+  const bool early = n <= 100 && n >= 30;
+  const double large = slow ? 0 : early ? 2e-4 : 1e-3;
   const double layer = tail > large ? std::min(in_layer * tail, 1.0) : 0;
   return tail * std::max(of_integrals / n / n, layer);
 }

@@ -974,6 +974,31 @@ TEST(Coupled, EstimateHoldsWhereGridsAgreeByChance) {
             most);
 }
 
+// In the first of these scenes of strong heat a coarse grid's tail is small and its layers are not
+// resolved; in the second the tail is the same on two grids in a row. The tolerance was broken by
+// 1.1 and 1.3 times.
+TEST(Coupled, LayersOfStrongHeatAreNotBelievedEarly) {
+  using enum Quantity;
+  const auto braking = [](double friction, double peclet, double heating,
+                          thermoroll::Roller roller = {}) {
+    return thermoroll::Scene{friction, peclet, heating, roller, thermoroll::Direction::braking};
+  };
+  const auto off = [](const thermoroll::Scene& scene, double border, double tolerance,
+                      Formulation sign) {
+    const auto solved = [&](double to) {
+      return solve_coupled(scene, {sign, to}, {stick_slip_border, border});
+    };
+    return excess(solved(tolerance), solved(std::min(1e-8, tolerance / 100)));
+  };
+  EXPECT_LE(off(braking(0.29157222777, 277548.970373, 6.769275401), 0.0880225736, 5.521512e-6,
+                Formulation::corrected),
+            1);
+  EXPECT_LE(
+      off(braking(0.33659885507, 1938.19845657, 144.160508265, {14.1314354303, 114.996719696}),
+          0.54442316028, 1e-6, Formulation::printed),
+      1);
+}
+
 // Numbers so small or large that something overflows: a refusal, or numbers.
 TEST(Coupled, ResultsAreFinite) {
   for (const double peclet : {1e-305, 1e-302, 1e-100, 1e100, 1e305})
