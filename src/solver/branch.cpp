@@ -146,6 +146,13 @@ double place_of(const LocalCurve& local, int order, double value, double low, do
   return low;
 }
 
+/// The point from low to high where the traction is largest.
+double top_of(const LocalCurve& local, double low, double high) {
+  if (derivative(local, 1, low)(traction) <= 0) return low;
+  if (derivative(local, 1, high)(traction) >= 0) return high;
+  return place_of(local, 1, 0, low, high);
+}
+
 /// The curve about its maximum, the position of that, and whether a stick zone is left there.
 struct Highest {
   LocalCurve local;
@@ -153,17 +160,18 @@ struct Highest {
   bool sticks;
 };
 
-/// None if the maximum is at an end.
+/// None if the maximum is at an end, or not at one point.
 std::optional<Highest> highest_of(CurveSamples& x) {
   for (int k = 0;; ++k) {
     const auto best = std::max_element(x.points.begin(), x.points.end(), is_lower);
     if (best == x.points.begin() || best + 1 == x.points.end()) return std::nullopt;
+    if (k == 0 && !is_lower(*(best + 1), *best)) return std::nullopt;
     const double here = best->rho, low = (best - 1)->rho, high = (best + 1)->rho;
     Highest top{local_curve(x.points, here, here <= 1), here, here <= 1};
     if (here == 1 && derivative(top.local, 1, 1)(traction) > 1e-4)
       top = {local_curve(x.points, here, false), here, false};
-    top.rho = top.sticks ? place_of(top.local, 1, 0, low, std::min(high, 1.0))
-                         : place_of(top.local, 1, 0, std::max(low, 1.0), high);
+    top.rho = top.sticks ? top_of(top.local, low, std::min(high, 1.0))
+                         : top_of(top.local, std::max(low, 1.0), high);
     const auto index = static_cast<std::size_t>(best - x.points.begin()) + (top.rho > here ? 1 : 0);
     if (k == 8 || std::abs(top.rho - here) < 0.01 || !add(x, index, top.rho, best->solution))
       return top;
@@ -181,46 +189,53 @@ LocalCurve corrected(LocalCurve local, const OnCurve& left, const OnCurve& right
   return local;
 }
 
-/// Points of the curve about its maximum, two or seven; fewer where there are no solutions.
+/// Points of the curve about its maximum, two or seven; fewer if one has no solution.
 Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution near) {
   const double rho_1 = std::abs(top.rho - 1), ends = std::min(top.rho, 2 - top.rho);
-  const double reach = std::min({alone ? 0.03 : 1e-3, std::max(rho_1, 1e-4) / 2, ends / 4});
+  const double from_1 = std::max(rho_1, 1e-4), close = std::min(3e-4, from_1 / 50);
+  const double reach = alone ? std::min({0.03, from_1 / 2, ends / 4}) : close;
   const double middle = top.sticks ? std::min(top.rho, 1 - reach) : std::max(top.rho, 1 + reach);
   const int places = alone ? 7 : 2;
   Points points;
   for (int i = 0; i < places; ++i) {
     const double rho = middle + reach * (2.0 * i / (places - 1) - 1);
     near = solution_on(curve, top.sticks ? std::min(rho, 1 - 1e-9) : std::max(rho, 1.0), near);
-    if (near.newton_steps > 0) points.push_back({rho, near});
+    if (near.newton_steps == 0) break;
+    points.push_back({rho, near});
   }
   return points;
 }
+
+int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
 
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
   Results last = derivative(top.local, 0, top.rho);
   const LocalCurve coarse = top.local;
   double reached = std::numeric_limits<double>::infinity();
-  for (int n = std::max(24, unknowns_after(curve.n)); n > curve.n; n = unknowns_after(n)) {
+  bool alone = tolerance < 1e-7;
+  for (int n = std::max(24, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
-    const bool alone = n >= 60 || tolerance < 1e-7;
+    alone = alone || n >= 60 || !level.kinks.empty();
     const Points points = around(curve, top, alone, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
     top.local =
         alone ? local_curve(points, before, top.sticks) : corrected(coarse, points[0], points[1]);
     const double room = alone ? 1.5 * top.local.reach : std::min(before, 2 - before) / 20;
-    top.rho = place_of(top.local, 1, 0, std::max(before - room, top.sticks ? 0 : 1.0),
-                       std::min(before + room, top.sticks ? 1 : 2.0));
+    top.rho = top_of(top.local, std::max(before - room, top.sticks ? 0 : 1.0),
+                     std::min(before + room, top.sticks ? 1 : 2.0));
+    const bool inside = std::abs(top.rho - before) < 0.999 * room;
     const Results now = derivative(top.local, 0, top.rho);
     const GridSolution& near = points[0].solution;
-    const double bend = alone ? 0 : 3e-3 * std::abs(top.rho - before);
-    const Results of_change = part_with_law(level.h, near.h) * (now - last).abs();
+    const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before);
+    const double part = near.kinks.empty() ? part_with_law(level.h, near.h) : 2;
+    const Results of_change = part * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
     const Results error = of_change + of_place + error_of_kinks(near) * scale;
     const bool resolved = alone || !near.kinks.empty() || !decays_slowly(level.h, near.h);
     const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
-    const double worst = resolved ? std::max(error(traction), rest) : 1;
+    const double worst = resolved && inside ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);
     if (worst < tolerance)
       return {now(traction), now(creep), std::max(error(traction), tolerance / 10),

@@ -604,6 +604,52 @@ TEST(HotFriction, MaximumIsTheTopOfTheCreeps) {
   }
 }
 
+// It is within its stated errors of a finer one. In these scenes of the study it was not: the
+// search went away from a maximum outside its range (the first, off by 1e4 times at the finer
+// tolerance); the third derivative is large next to full slip; the errors of a kink move a flat
+// maximum.
+TEST(HotFriction, MaximumIsWithinItsErrors) {
+  struct Row {
+    Scene scene;
+    double asked;
+  };
+  const auto row = [](double friction, double peclet, double heating, const FrictionLaw& law,
+                      double asked, thermoroll::Roller roller = {}) {
+    Scene scene{friction, peclet, heating, roller};
+    scene.law = law;
+    return Row{scene, asked};
+  };
+  Row braking = row(0.0379766, 1.7632, 4.89927e-5,
+                    linear_friction({0.0618862, 0.288017, 0.00147599}), 0.0146744);
+  braking.scene.direction = Direction::braking;
+  for (const auto& [scene, asked] :
+       {row(0.096923, 317.703, 0.035114, exponential_friction({0.0393406, 0.228644, 0.000704359}),
+            0.0405712),
+        row(1.24306, 29.1784, 1.19424, exponential_friction({0.635944, 0.356775}), 1.20296,
+            {0.948308, 0.889487, 1.95965}),
+        braking}) {
+    const CoupledSolution x = solve(scene, {Quantity::traction, asked}, 1e-6);
+    const CoupledSolution finer = solve(scene, {Quantity::traction, asked}, 9e-8);
+    ASSERT_TRUE(x.limit && finer.limit);
+    EXPECT_NEAR(x.limit->traction, finer.limit->traction, x.limit->traction_error);
+    EXPECT_NEAR(x.limit->creep, finer.limit->creep, x.limit->creep_error);
+    for (const double share : {0.98, 0.99, 1.01, 1.02})
+      EXPECT_LT(at_creep(scene, share * std::abs(x.limit->creep), 1e-6).value(Quantity::traction),
+                std::abs(x.limit->traction));
+  }
+}
+
+// If the contact slips everywhere before it reaches the reference temperature, a whole range of
+// creeps has the largest traction, f p over all of it.
+TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
+  const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 1}));
+  const CoupledSolution x = solve(scene, {Quantity::traction, 0.3}, 1e-6);
+  EXPECT_FALSE(x.limit);
+  const CoupledSolution constant = solve(hot(100, 0.0175, {}), {Quantity::traction, 0.3}, 1e-6);
+  EXPECT_NEAR(x.value(Quantity::creep), constant.value(Quantity::creep),
+              x.error(Quantity::creep) + constant.error(Quantity::creep));
+}
+
 // Each grid has a fifth more unknowns than the last at least: closer ones agree too well. Scenes of
 // the study, 57 and 60 unknowns, showed that.
 TEST(HotFriction, GridsAreNotClose) {
