@@ -192,7 +192,7 @@ LocalCurve corrected(LocalCurve local, const OnCurve& left, const OnCurve& right
 /// Points of the curve about its maximum, two or seven; fewer if one has no solution.
 Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution near) {
   const double rho_1 = std::abs(top.rho - 1), ends = std::min(top.rho, 2 - top.rho);
-  const double from_1 = std::max(rho_1, 1e-4), close = std::min(3e-4, from_1 / 50);
+  const double from_1 = std::max(rho_1, 1e-4), close = std::min(1.5e-4, from_1 / 50);
   const double reach = alone ? std::min({0.03, from_1 / 2, ends / 4}) : close;
   const double middle = top.sticks ? std::min(top.rho, 1 - reach) : std::max(top.rho, 1 + reach);
   const int places = alone ? 7 : 2;
@@ -204,6 +204,12 @@ Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution ne
     points.push_back({rho, near});
   }
   return points;
+}
+
+double third_order(const Highest& top, const Points& two) {
+  const double half = (two[1].rho - two[0].rho) / 2;
+  const double third = derivative(top.local, 3, top.rho)(traction);
+  return half * half / 6 * std::abs(third / derivative(top.local, 2, top.rho)(traction));
 }
 
 int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
@@ -227,13 +233,13 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const bool inside = std::abs(top.rho - before) < 0.999 * room;
     const Results now = derivative(top.local, 0, top.rho);
     const GridSolution& near = points[0].solution;
-    const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before);
+    const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before) + third_order(top, points);
     const double part = near.kinks.empty() ? part_with_law(level.h, near.h) : 2;
     const Results of_change = part * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
     const Results error = of_change + of_place + error_of_kinks(near) * scale;
-    const bool resolved = alone || !near.kinks.empty() || !decays_slowly(level.h, near.h);
+    const bool resolved = n >= 60 || !near.kinks.empty() || !decays_slowly(level.h, near.h);
     const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
     const double worst = resolved && inside ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);

@@ -325,10 +325,11 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   return {value, change, left + rounding(given, slope, scale)};
 }
 
-void add_errors_of_crossing(const Scene& scene, const GridSolution& last, GridSolution& level) {
+void add_errors_of_crossing(const Scene& scene, const GridSolution& last, double worst,
+                            GridSolution& level) {
   CrossingHeat& now = *level.crossing;
-  now.heat_error = std::abs(now.heat - last.crossing->heat);
-  now.edge_error = std::abs(now.edge - last.crossing->edge);
+  now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), worst * std::abs(now.heat));
+  now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), worst * std::abs(now.edge));
   const auto bulk = bulk_exchange(scene, level.h.size());
   if (!bulk) return;
   const double part = tail(bulk->flux), size = std::abs(scene.bulk_difference);
@@ -479,7 +480,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
     if (level.newton_steps > 0) {
       trace.back().change = found.change.head(compared).maxCoeff();
       trace.back().estimate = worst;
-      if (level.crossing && last.crossing) add_errors_of_crossing(scene, last, level);
+      if (level.crossing && last.crossing) add_errors_of_crossing(scene, last, worst, level);
       if (same_violations(level.violations, last.violations)) {
         if (worst <= tolerance) return solution_of(scene, approach, level, found, trace);
         reached = std::min(reached, worst);

@@ -231,7 +231,7 @@ struct Pair {
   double value, error, exact, exact_error;
 };
 
-/// The results, the peaks and the largest traction of both solutions, but for what is given.
+/// The results, peaks, crossing heat and largest traction of both solutions, but for what is given.
 std::vector<Pair> pairs(const Sample& x, const Solution& found, const Solution& exact) {
   const auto &a = std::get<CoupledSolution>(found.found),
              &b = std::get<CoupledSolution>(exact.found);
@@ -242,6 +242,9 @@ std::vector<Pair> pairs(const Sample& x, const Solution& found, const Solution& 
   const FoundPeaks p = peaks(found), q = peaks(exact);
   for (double Peaks::*of : {&Peaks::pressure, &Peaks::traction, &Peaks::heat_flux})
     all.push_back({p.value.*of, (*p.error).*of, q.value.*of, (*q.error).*of});
+  if (a.crossing && b.crossing)
+    all.push_back(
+        {a.crossing->heat, a.crossing->heat_error, b.crossing->heat, b.crossing->heat_error});
   if (a.limit && b.limit) {
     all.push_back(
         {a.limit->traction, a.limit->traction_error, b.limit->traction, b.limit->traction_error});

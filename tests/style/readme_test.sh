@@ -79,4 +79,19 @@ PictureIsCurrent() { # slow
   ! same_picture "$work/renamed.svg" "$picture" || fail "another number was not found"
 }
 
+# Nothing else stands at the top of a checkout: what a program leaves behind is easily added.
+surplus() {
+  git ls-files | cut -d/ -f1 | sort -u | grep -vxE 'CMakeLists\.txt|CMakePresets\.json|Makefile|README\.md|CHANGELOG\.md|CONTRIBUTING\.md|CITATION\.cff|LICENSE|codecheck\.yml|paper|src|figures|tests|\.ci|\.github|\.git[a-z]+|\.clang-[a-z]+|\.editorconfig' || true
+}
+
+TopLevelIsTidy() {
+  ! is_checkout || [ -z "$(surplus)" ] || fail "$(surplus)"
+
+  cd "$work"
+  git init -q .
+  touch README.md slow-unit-1
+  git add .
+  [ "$(surplus)" = slow-unit-1 ] || fail "not found: $(surplus)"
+}
+
 "$1"
