@@ -146,7 +146,7 @@ double place_of(const LocalCurve& local, int order, double value, double low, do
   return low;
 }
 
-/// The point from low to high where the traction is largest.
+/// The lower end if the traction falls there, the upper one if it rises there, else a maximum.
 double top_of(const LocalCurve& local, double low, double high) {
   if (derivative(local, 1, low)(traction) <= 0) return low;
   if (derivative(local, 1, high)(traction) >= 0) return high;
@@ -160,7 +160,7 @@ struct Highest {
   bool sticks;
 };
 
-/// None if the maximum is at an end, or not at one point.
+/// None if the maximum is at an end, or at two samples.
 std::optional<Highest> highest_of(CurveSamples& x) {
   for (int k = 0;; ++k) {
     const auto best = std::max_element(x.points.begin(), x.points.end(), is_lower);
@@ -172,6 +172,7 @@ std::optional<Highest> highest_of(CurveSamples& x) {
       top = {local_curve(x.points, here, false), here, false};
     top.rho = top.sticks ? top_of(top.local, low, std::min(high, 1.0))
                          : top_of(top.local, std::max(low, 1.0), high);
+    if (top.rho == low || top.rho == high) top.rho = here;  // they are lower
     const auto index = static_cast<std::size_t>(best - x.points.begin()) + (top.rho > here ? 1 : 0);
     if (k == 8 || std::abs(top.rho - here) < 0.01 || !add(x, index, top.rho, best->solution))
       return top;
@@ -189,17 +190,19 @@ LocalCurve corrected(LocalCurve local, const OnCurve& left, const OnCurve& right
   return local;
 }
 
-/// Points of the curve about its maximum, two or seven; fewer if one has no solution.
-Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution near) {
+/// Points of the curve about its maximum, two or seven; fewer if one has no solution. Next to full
+/// slip they span the least distance from it.
+Points around(CreepCurve& curve, const Highest& top, bool alone, double least, GridSolution near) {
   const double rho_1 = std::abs(top.rho - 1), ends = std::min(top.rho, 2 - top.rho);
-  const double from_1 = std::max(rho_1, 1e-4), close = std::min(1.5e-4, from_1 / 50);
+  const double from_1 = std::max(rho_1, least), close = std::min(1.5e-4, from_1 / 50);
   const double reach = alone ? std::min({0.03, from_1 / 2, ends / 4}) : close;
   const double middle = top.sticks ? std::min(top.rho, 1 - reach) : std::max(top.rho, 1 + reach);
   const int places = alone ? 7 : 2;
   Points points;
   for (int i = 0; i < places; ++i) {
-    const double rho = middle + reach * (2.0 * i / (places - 1) - 1);
-    near = solution_on(curve, top.sticks ? std::min(rho, 1 - 1e-9) : std::max(rho, 1.0), near);
+    const double place = middle + reach * (2.0 * i / (places - 1) - 1);
+    const double rho = top.sticks ? std::min(place, 1 - 1e-9) : std::max(place, 1.0);
+    near = solution_on(curve, rho, near);
     if (near.newton_steps == 0) break;
     points.push_back({rho, near});
   }
@@ -208,8 +211,9 @@ Points around(CreepCurve& curve, const Highest& top, bool alone, GridSolution ne
 
 double third_order(const Highest& top, const Points& two) {
   const double half = (two[1].rho - two[0].rho) / 2;
-  const double third = derivative(top.local, 3, top.rho)(traction);
-  return half * half / 6 * std::abs(third / derivative(top.local, 2, top.rho)(traction));
+  const double curvature = derivative(top.local, 2, top.rho)(traction);
+  if (!(curvature < 0)) return half;
+  return half * half / 6 * std::abs(derivative(top.local, 3, top.rho)(traction) / curvature);
 }
 
 int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
@@ -218,11 +222,12 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
   Results last = derivative(top.local, 0, top.rho);
   const LocalCurve coarse = top.local;
   double reached = std::numeric_limits<double>::infinity();
+  double least = 1e-4;
   bool alone = tolerance < 1e-7;
   for (int n = std::max(24, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
-    alone = alone || n >= 60 || !level.kinks.empty();
-    const Points points = around(curve, top, alone, level);
+    alone = alone || n > 48 || !level.kinks.empty();
+    const Points points = around(curve, top, alone, least, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
     top.local =
@@ -239,13 +244,15 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
     const Results error = of_change + of_place + error_of_kinks(near) * scale;
-    const bool resolved = n >= 60 || !near.kinks.empty() || !decays_slowly(level.h, near.h);
+    const bool smooth = near.kinks.empty() && !decays_slowly(level.h, near.h);
+    const bool resolved = n > 48 || smooth || (alone && !near.kinks.empty());
     const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
     const double worst = resolved && inside ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);
     if (worst < tolerance)
       return {now(traction), now(creep), std::max(error(traction), tolerance / 10),
               std::max(error(creep), tolerance / 10 * scale(creep))};
+    if (!inside) least = std::min(8 * least, 0.06);
     last = now;
     level = points[0].solution;
   }
@@ -318,13 +325,13 @@ void refuse_beyond(const Points& points, const std::optional<TractionLimit>& lim
   };
   const std::string below = sign > 0 ? "below " : "above ", above = sign > 0 ? "above " : "below ";
   const std::string at_most = sign > 0 ? "at most " : "at least ";
-  if (!limit && branch == Branch::falling)
-    throw std::invalid_argument("branch = falling does not exist: the traction has no maximum");
+  const auto highest = std::max_element(points.begin(), points.end(), is_lower);
+  if (branch == Branch::falling && !is_lower(points.back(), *highest))
+    throw std::invalid_argument("branch = falling does not exist: the traction does not fall");
   if (limit)
     must_be(asked <= limit->traction, at_most + fixed(sign * limit->traction, 6) +
                                           ", the largest, at the creep " +
                                           fixed(sign * limit->creep, 6));
-  const auto highest = std::max_element(points.begin(), points.end(), is_lower);
   const double most = highest->traction(), least = points.back().traction();
   if (!limit) must_be(asked < most, below + fixed(sign * most, 4));
   if (branch == Branch::falling)

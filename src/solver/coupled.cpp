@@ -328,12 +328,15 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
 void add_errors_of_crossing(const Scene& scene, const GridSolution& last, double worst,
                             GridSolution& level) {
   CrossingHeat& now = *level.crossing;
-  now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), worst * std::abs(now.heat));
-  now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), worst * std::abs(now.edge));
   const auto bulk = bulk_exchange(scene, level.h.size());
+  const double size = std::abs(scene.bulk_difference);
+  const double of_bulk = bulk ? size * std::abs(bulk->heat) : 0;
+  const double least = worst * std::max(std::abs(now.heat), of_bulk);
+  now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), least);
+  now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), worst * std::abs(now.edge));
   if (!bulk) return;
-  const double part = tail(bulk->flux), size = std::abs(scene.bulk_difference);
-  now.heat_error += size * part / 100 * std::abs(bulk->heat);
+  const double part = tail(bulk->flux);
+  now.heat_error += part / 100 * of_bulk;
   now.edge_error += size * (part + 2e-9) * std::abs(bulk->edge);
 }
 

@@ -268,6 +268,9 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
     if (of.exact_error <= 0.1 * of.error)
       excess = std::max(excess, std::abs(of.value - of.exact) / of.error);
   record.within("no error is ten times its estimate", excess, 10);
+  record.require(
+      "a finer solution has a largest traction, too",
+      coupled.limit.has_value() == std::get<CoupledSolution>(exact.found).limit.has_value());
   record.compared(x.tolerance, excess);
   const auto& best = std::get<CoupledSolution>(exact.found);
   const Results off = (coupled.value - best.value).abs();

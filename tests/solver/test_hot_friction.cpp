@@ -639,12 +639,26 @@ TEST(HotFriction, MaximumIsWithinItsErrors) {
   }
 }
 
+// Where friction begins to fall just before full slip, a coarse grid does not see it and has the
+// maximum at full slip, next to which the search is narrow. It widens.
+TEST(HotFriction, MaximumJustBeforeFullSlip) {
+  const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.024}));
+  const CoupledSolution x = solve(scene, {Quantity::traction, 0.5}, 1e-6);
+  ASSERT_TRUE(x.limit);
+  for (const double share : {0.99, 1.01})
+    EXPECT_LT(at_creep(scene, share * x.limit->creep, 1e-6).value(Quantity::traction),
+              x.limit->traction);
+}
+
 // If the contact slips everywhere before it reaches the reference temperature, a whole range of
-// creeps has the largest traction, f p over all of it.
+// creeps has the largest traction, f p over all of it. Once it is that hot, the traction falls.
 TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
-  const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 1}));
+  const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));
   const CoupledSolution x = solve(scene, {Quantity::traction, 0.3}, 1e-6);
   EXPECT_FALSE(x.limit);
+  const CoupledSolution falling = solve(scene, {Quantity::traction, 0.5, Branch::falling}, 1e-6);
+  EXPECT_NEAR(at_creep(scene, falling.value(Quantity::creep), 1e-6).value(Quantity::traction), 0.5,
+              1e-6);
   const CoupledSolution constant = solve(hot(100, 0.0175, {}), {Quantity::traction, 0.3}, 1e-6);
   EXPECT_NEAR(x.value(Quantity::creep), constant.value(Quantity::creep),
               x.error(Quantity::creep) + constant.error(Quantity::creep));
