@@ -216,6 +216,16 @@ double third_order(const Highest& top, const Points& two) {
   return half * half / 6 * std::abs(derivative(top.local, 3, top.rho)(traction) / curvature);
 }
 
+bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
+
+/// The change of the results at the maximum.
+Results without_ends(const Highest& top, const Points& seven) {
+  const Points five(seven.begin() + 1, seven.end() - 1);
+  const LocalCurve local = local_curve(five, seven[3].rho, top.sticks);
+  const double rho = top_of(local, seven.front().rho, seven.back().rho);
+  return (derivative(local, 0, rho) - derivative(top.local, 0, top.rho)).abs();
+}
+
 int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
 
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
@@ -239,13 +249,15 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Results now = derivative(top.local, 0, top.rho);
     const GridSolution& near = points[0].solution;
     const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before) + third_order(top, points);
-    const double part = near.kinks.empty() ? part_with_law(level.h, near.h) : 2;
+    const bool kinked = std::any_of(points.begin(), points.end(), has_kinks);
+    const double part = kinked ? 2 : part_with_law(level.h, near.h);
     const Results of_change = part * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
-    const Results error = of_change + of_place + error_of_kinks(near) * scale;
-    const bool smooth = near.kinks.empty() && !decays_slowly(level.h, near.h);
-    const bool resolved = n > 48 || smooth || (alone && !near.kinks.empty());
+    Results of_corner = Results::Zero();
+    if (alone && kinked) of_corner = without_ends(top, points);
+    const Results error = of_change + of_place + of_corner + error_of_kinks(near) * scale;
+    const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
     const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
     const double worst = resolved && inside ? std::max(error(traction), rest) : 1;
     reached = std::min(reached, worst);

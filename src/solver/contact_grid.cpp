@@ -407,21 +407,28 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
   return {friction, z.zones.c0(), kappa, s, pressure, slip, phi};
 }
 
-std::vector<Kink> kinks_on(const ContactGrid& grid, const VectorXd& h) {
+std::vector<Kink> kinks_on(const ContactGrid& grid, const VectorXd& h, double hottest) {
   const LawAtNodes at = friction_at_nodes(grid, 1, h);
   const auto [series, y, temperature] = with_ends(grid, at.temperature);
   const ArrayXd friction = friction_in_gaps(grid, at.pressure);
+  const double top = legendre(ArrayXd::Constant(1, hottest), h.size()).row(0).dot(series);
+  std::vector<Kink> kinks;
   const auto psi = [&](double place) {
     return SlipPoint(1 + place, 1 - place, grid.nodes.zones.variable).psi;
   };
-  std::vector<Kink> kinks;
-  for (Index i = 0; i < friction.size(); ++i) {
-    const auto [low, high] = std::minmax(temperature(i), temperature(i + 1));
+  const auto look = [&](double from, double to, double at_from, double at_to, double part) {
+    const auto [low, high] = std::minmax(at_from, at_to);
     const Jump jump = jump_between(grid.scene.law, low, high);
-    if (jump.size == 0) continue;
-    const double place = place_of(series, jump.temperature, y(i), y(i + 1));
-    const double step = psi(y(i + 1)) - psi(y(i)), lost = jump.size * (high - low) * friction(i);
+    if (jump.size == 0) return;
+    const double place = place_of(series, jump.temperature, from, to), step = psi(to) - psi(from);
+    const double lost = jump.size * (high - low) * part;
     kinks.push_back({psi(place), lost / (step * step), lost / 12});
+  };
+  for (Index i = 0; i < friction.size(); ++i) {
+    const double left = temperature(i), right = temperature(i + 1);
+    const bool between = y(i) < hottest && hottest < y(i + 1) && top > std::max(left, right);
+    look(y(i), between ? hottest : y(i + 1), left, between ? top : right, friction(i));
+    if (between) look(hottest, y(i + 1), top, right, friction(i));
   }
   return kinks;
 }

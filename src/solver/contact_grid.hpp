@@ -85,6 +85,6 @@ struct Kink {
 };
 
 /// Those of a law of friction for an h.
-std::vector<Kink> kinks_on(const ContactGrid& grid, const Eigen::VectorXd& h);
+std::vector<Kink> kinks_on(const ContactGrid& grid, const Eigen::VectorXd& h, double hottest);
 
 }  // namespace thermoroll

@@ -185,7 +185,7 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
   found.peak = hottest_on(grid, found.h, from);
   found.value = values_on_grid(grid, found);
   found.crossing = crossing_heat(grid, found);
-  if (grid.hot) found.kinks = kinks_on(grid, found.h);
+  if (grid.hot) found.kinks = kinks_on(grid, found.h, found.peak.y);
   if (!found.value.allFinite()) found.newton_steps = 0;  // at extreme speeds
   return found;
 }
