@@ -409,9 +409,10 @@ Factors factors(const ContactGrid& grid, const VectorXd& h) {
 
 std::vector<Kink> kinks_on(const ContactGrid& grid, const VectorXd& h, double hottest) {
   const LawAtNodes at = friction_at_nodes(grid, 1, h);
-  const auto [series, y, temperature] = with_ends(grid, at.temperature);
+  const TemperaturesOnZone zone = with_ends(grid, at.temperature);
+  const ArrayXd &y = zone.y, &temperature = zone.value;
   const ArrayXd friction = friction_in_gaps(grid, at.pressure);
-  const double top = legendre(ArrayXd::Constant(1, hottest), h.size()).row(0).dot(series);
+  const double top = legendre(ArrayXd::Constant(1, hottest), h.size()).row(0).dot(zone.series);
   std::vector<Kink> kinks;
   const auto psi = [&](double place) {
     return SlipPoint(1 + place, 1 - place, grid.nodes.zones.variable).psi;
@@ -420,8 +421,8 @@ std::vector<Kink> kinks_on(const ContactGrid& grid, const VectorXd& h, double ho
     const auto [low, high] = std::minmax(at_from, at_to);
     const Jump jump = jump_between(grid.scene.law, low, high);
     if (jump.size == 0) return;
-    const double place = place_of(series, jump.temperature, from, to), step = psi(to) - psi(from);
-    const double lost = jump.size * (high - low) * part;
+    const double place = place_of(zone.series, jump.temperature, from, to);
+    const double step = psi(to) - psi(from), lost = jump.size * (high - low) * part;
     kinks.push_back({psi(place), lost / (step * step), lost / 12});
   };
   for (Index i = 0; i < friction.size(); ++i) {
