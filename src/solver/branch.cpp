@@ -218,8 +218,10 @@ double third_order(const Highest& top, const Points& two) {
 
 bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
 
-/// The change of the results at the maximum.
+/// The change of the results at the maximum; none without kinks.
 Results without_ends(const Highest& top, const Points& seven) {
+  if (seven.size() < 7 || std::none_of(seven.begin(), seven.end(), has_kinks))
+    return Results::Zero();
   const Points five(seven.begin() + 1, seven.end() - 1);
   const LocalCurve local = local_curve(five, seven[3].rho, top.sticks);
   const double rho = top_of(local, seven.front().rho, seven.back().rho);
@@ -228,11 +230,14 @@ Results without_ends(const Highest& top, const Points& seven) {
 
 int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
 
+NotResolved not_resolved(double to, double best) {
+  return {"coupled: the largest traction is not resolved to " + shortest(to) + at_best(best), {}};
+}
+
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
   Results last = derivative(top.local, 0, top.rho);
   const LocalCurve coarse = top.local;
-  double reached = std::numeric_limits<double>::infinity();
-  double least = 1e-4;
+  double reached = std::numeric_limits<double>::infinity(), least = 1e-4;
   bool alone = tolerance < 1e-7;
   for (int n = std::max(24, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
@@ -254,9 +259,8 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Results of_change = part * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
-    Results of_corner = Results::Zero();
-    if (alone && kinked) of_corner = without_ends(top, points);
-    const Results error = of_change + of_place + of_corner + error_of_kinks(near) * scale;
+    const Results of_kinks = without_ends(top, points) + error_of_kinks(near) * scale;
+    const Results error = of_change + of_place + of_kinks;
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
     const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
     const double worst = resolved && inside ? std::max(error(traction), rest) : 1;
@@ -268,9 +272,7 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     last = now;
     level = points[0].solution;
   }
-  throw NotResolved(
-      "coupled: the largest traction is not resolved to " + shortest(tolerance) + at_best(reached),
-      {});
+  throw not_resolved(tolerance, reached);
 }
 
 /// The index of the second of two points about the traction on a branch; 0 if there are none.
