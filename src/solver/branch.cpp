@@ -341,7 +341,7 @@ void refuse_beyond(const Points& points, const std::optional<TractionLimit>& lim
   const std::string at_most = sign > 0 ? "at most " : "at least ";
   const auto highest = std::max_element(points.begin(), points.end(), is_lower);
   if (branch == Branch::falling && !is_lower(points.back(), *highest))
-    throw std::invalid_argument("branch = falling does not exist: the traction does not fall");
+    throw std::invalid_argument("branch = falling does not exist: the traction has no maximum");
   if (limit)
     must_be(asked <= limit->traction, at_most + fixed(sign * limit->traction, 6) +
                                           ", the largest, at the creep " +
