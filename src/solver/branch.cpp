@@ -218,14 +218,14 @@ double third_order(const Highest& top, const Points& two) {
 
 bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
 
-/// The change of the results at the maximum; none without kinks.
-Results without_ends(const Highest& top, const Points& seven) {
-  if (seven.size() < 7 || std::none_of(seven.begin(), seven.end(), has_kinks))
-    return Results::Zero();
-  const Points five(seven.begin() + 1, seven.end() - 1);
-  const LocalCurve local = local_curve(five, seven[3].rho, top.sticks);
-  const double rho = top_of(local, seven.front().rho, seven.back().rho);
-  return (derivative(local, 0, rho) - derivative(top.local, 0, top.rho)).abs();
+/// Of all results at the maximum.
+Results error_of_law(const Highest& top, const Points& points, const Results& scale) {
+  const Results of_kinks = error_of_kinks(points.back().solution) * scale;
+  if (points.size() < 7 || std::none_of(points.begin(), points.end(), has_kinks)) return of_kinks;
+  const Points five(points.begin() + 1, points.end() - 1);
+  const LocalCurve local = local_curve(five, points[3].rho, top.sticks);
+  const double rho = top_of(local, points.front().rho, points.back().rho);
+  return of_kinks + (derivative(local, 0, rho) - derivative(top.local, 0, top.rho)).abs();
 }
 
 int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
@@ -259,8 +259,7 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Results of_change = part * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
-    const Results of_kinks = without_ends(top, points) + error_of_kinks(near) * scale;
-    const Results error = of_change + of_place + of_kinks;
+    const Results error = of_change + of_place + error_of_law(top, points, scale);
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
     const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
     const double worst = resolved && inside ? std::max(error(traction), rest) : 1;

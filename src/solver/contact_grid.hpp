@@ -84,7 +84,7 @@ struct Kink {
   double place, jump, error;
 };
 
-/// Those of a law of friction for an h.
+/// Those of a law of friction for an h with its hottest point at this y.
 std::vector<Kink> kinks_on(const ContactGrid& grid, const Eigen::VectorXd& h, double hottest);
 
 }  // namespace thermoroll

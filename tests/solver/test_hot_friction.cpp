@@ -605,9 +605,8 @@ TEST(HotFriction, MaximumIsTheTopOfTheCreeps) {
 }
 
 // It is within its stated errors of a finer one. In these scenes of the study it was not: the
-// search went away from a maximum outside its range (the first, off by 1e4 times at the finer
-// tolerance); the third derivative is large next to full slip; the errors of a kink move a flat
-// maximum.
+// search went away from a maximum outside its range; the third derivative is large next to full
+// slip; the errors of a kink move a flat maximum.
 TEST(HotFriction, MaximumIsWithinItsErrors) {
   struct Row {
     Scene scene;
