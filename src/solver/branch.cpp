@@ -218,39 +218,60 @@ double third_order(const Highest& top, const Points& two) {
 
 bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
 
+const OnCurve& highest_point(const Points& points) {
+  return *std::max_element(points.begin(), points.end(), [](const OnCurve& a, const OnCurve& b) {
+    return a.traction() < b.traction();
+  });
+}
+
+double spacing(const Points& points) {
+  return (points.back().rho - points.front().rho) / static_cast<double>(points.size() - 1);
+}
+
 /// Of all results at the maximum.
 Results error_of_law(const Highest& top, const Points& points, const Results& scale) {
   const Results of_kinks = error_of_kinks(points.back().solution) * scale;
   if (points.size() < 7 || std::none_of(points.begin(), points.end(), has_kinks)) return of_kinks;
   const Points five(points.begin() + 1, points.end() - 1);
   const LocalCurve local = local_curve(five, points[3].rho, top.sticks);
-  const double rho = top_of(local, points.front().rho, points.back().rho);
+  const double room = spacing(points), rho = top_of(local, top.rho - room, top.rho + room);
   return of_kinks + (derivative(local, 0, rho) - derivative(top.local, 0, top.rho)).abs();
 }
 
-int finer_than(int n) { return n < 48 ? unknowns_after(n) : std::min(2 * n, most_unknowns); }
-
-NotResolved not_resolved(double to, double best) {
-  return {"coupled: the largest traction is not resolved to " + shortest(to) + at_best(best), {}};
+/// None finer if it is the same.
+int finer_than(int n) {
+  const int next = n < 48 ? unknowns_after(n) : 2 * n;
+  return next > most_unknowns ? n : next;
 }
 
+/// Move the maximum to that of these points; whether it is found there.
+bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
+  const double before = top.rho;
+  const bool alone = points.size() > 2;
+  top.local =
+      alone ? local_curve(points, before, top.sticks) : corrected(coarse, points[0], points[1]);
+  const double place = alone ? highest_point(points).rho : before;
+  const double room = alone ? spacing(points) : std::min(before, 2 - before) / 20;
+  top.rho = top_of(top.local, std::max(place - room, top.sticks ? 0 : 1.0),
+                   std::min(place + room, top.sticks ? 1 : 2.0));
+  return std::abs(top.rho - place) < 0.999 * room;
+}
+
+/// Not to that tolerance if errors on the finest grid are above it; they are infinite if not known.
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
   Results last = derivative(top.local, 0, top.rho);
   const LocalCurve coarse = top.local;
-  double reached = std::numeric_limits<double>::infinity(), least = 1e-4;
+  double least = 1e-4;
   bool alone = tolerance < 1e-7;
-  for (int n = std::max(24, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  TractionLimit limit{0, 0, none, none};
+  for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
     alone = alone || n > 48 || !level.kinks.empty();
     const Points points = around(curve, top, alone, least, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    top.local =
-        alone ? local_curve(points, before, top.sticks) : corrected(coarse, points[0], points[1]);
-    const double room = alone ? 1.5 * top.local.reach : std::min(before, 2 - before) / 20;
-    top.rho = top_of(top.local, std::max(before - room, top.sticks ? 0 : 1.0),
-                     std::min(before + room, top.sticks ? 1 : 2.0));
-    const bool inside = std::abs(top.rho - before) < 0.999 * room;
+    const bool inside = move_to(points, coarse, top);
     const Results now = derivative(top.local, 0, top.rho);
     const GridSolution& near = points[0].solution;
     const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before) + third_order(top, points);
@@ -259,19 +280,21 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const Results of_change = part * (now - last).abs();
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
-    const Results error = of_change + of_place + error_of_law(top, points, scale);
+    Results error = of_change + of_place + error_of_law(top, points, scale);
+    error(creep) = std::max(error(creep), scale(creep) * error(traction) / std::abs(now(traction)));
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
-    const double rest = n == most_unknowns ? 0 : error(creep) / scale(creep);
-    const double worst = resolved && inside ? std::max(error(traction), rest) : 1;
-    reached = std::min(reached, worst);
-    if (worst < tolerance)
-      return {now(traction), now(creep), std::max(error(traction), tolerance / 10),
-              std::max(error(creep), tolerance / 10 * scale(creep))};
-    if (!inside) least = std::min(8 * least, 0.06);
+    const bool known = resolved && inside, flat = (kinked && n >= 96) || n == finer_than(n);
+    const double rest = flat ? 0 : error(creep) / scale(creep);
+    const double worst = std::max(error(traction), rest);
+    if (known)
+      limit = {now(traction), now(creep), std::max(error(traction), tolerance / 10),
+               std::max(error(creep), tolerance / 10 * scale(creep))};
+    if (known && worst < tolerance) break;
+    least = inside ? 1e-4 : std::min(8 * least, 0.06);
     last = now;
     level = points[0].solution;
   }
-  throw not_resolved(tolerance, reached);
+  return limit;
 }
 
 /// The index of the second of two points about the traction on a branch; 0 if there are none.
@@ -331,6 +354,13 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
   return level;
 }
 
+void refuse_near(const TractionLimit& limit, double asked, double tolerance) {
+  const double error = limit.traction_error, apart = std::abs(asked - limit.traction);
+  if (error <= tolerance || apart > 2 * error) return;
+  const std::string to = shortest(tolerance) + at_best(error);
+  throw NotResolved("coupled: the largest traction is not resolved to " + to, {});
+}
+
 void refuse_beyond(const Points& points, const std::optional<TractionLimit>& limit, Branch branch,
                    double asked, double sign) {
   const auto must_be = [&](bool allowed, const std::string& range) {
@@ -364,6 +394,7 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
   if (top) limit = traction_limit(x.curve, approach.tolerance, *top, highest.solution);
+  if (limit) refuse_near(*limit, asked, approach.tolerance);
   refuse_beyond(x.points, limit, branch, asked, sign_of(scene.direction));
   const auto [level, local] =
       about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));

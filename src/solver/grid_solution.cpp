@@ -330,8 +330,8 @@ int unknowns_after(int n) {
 
 double part_with_law(const VectorXd& before, const VectorXd& now) {
   const double finer = static_cast<double>(before.size()) / static_cast<double>(now.size());
-  const double least = std::pow(finer, 3), most = now.size() > 200 ? 0.05 : 0.2;
-  const double shrunk = 2 * tail(now) / (tail(before) + 1e-9);
+  const double least = 0.6 * std::pow(finer, 3), most = now.size() > 200 ? 0.05 : 0.2;
+  const double shrunk = 1.2 * tail(now) / (tail(before) + 1e-9);
   return std::min(std::max(shrunk, least), std::max(most, least));
 }
 
