@@ -11,6 +11,7 @@
 #include "solver/gauss_legendre.hpp"
 #include "solver/graded_rule.hpp"
 #include "solver/linear_system.hpp"
+#include "solver/product.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/quadrature.hpp"
 
@@ -131,8 +132,8 @@ void add_side(Eigen::Ref<ArrayX3d> moments, const PanelZones& z, double peclet,
   const ArrayX3d kernels = kernels_at_steps(z, peclet, at, signed_steps).colwise() * steps.weight;
   static const MatrixXd to_series = to_legendre(gauss_legendre(per_panel));
   const MatrixXd polynomials =
-      legendre((2 * signed_steps - a - b) / (b - a), per_panel) * to_series;
-  moments += (polynomials.transpose() * kernels.matrix()).array();
+      product(1, legendre((2 * signed_steps - a - b) / (b - a), per_panel), to_series);
+  moments += product(1, polynomials.transpose(), kernels.matrix()).array();
 }
 
 /// What stands before h at every slip node in @eq:panel-moments, per slip^2 / 4: N1, N2 and M.
@@ -215,7 +216,8 @@ TractionsOnPanels tractions_on_panels(const HeatOnPanels& heat, const PanelZones
   const RowVectorXd kappa = weight.cwiseProduct(s).transpose() * heat.f;
   MatrixXd sums(n, m);
   for (Index i = 0; i < n; ++i) sums.row(i) = z.cold.weight / (z.from_border(i) + z.to_border);
-  MatrixXd p = -divided_differences(z, weight) * heat.f, v = sums * heat.g.bottomRows(m);
+  MatrixXd p = product(-1, divided_differences(z, weight), heat.f);
+  MatrixXd v = product(1, sums, heat.g.bottomRows(m));
   v -= sums.rowwise().sum().asDiagonal() * heat.g.topRows(n);
   p.rowwise() += 2 * kappa;
   v.rowwise() += 2 * friction * kappa;

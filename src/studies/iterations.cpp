@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_multifit.h>
 
 #include "solver/linear_system.hpp"
 #include "thermoroll/scene.hpp"
@@ -56,6 +58,37 @@ struct Patience {
   }
 };
 
+/// The x for which the sum of squares of a x - b is least.
+VectorXd least_squares(const MatrixXd& a, VectorXd b) {
+  const auto n = static_cast<std::size_t>(a.rows()), m = static_cast<std::size_t>(a.cols());
+  MatrixXd rows = a.transpose(), covariance(a.cols(), a.cols());
+  VectorXd x(a.cols());
+  const auto matrix = gsl_matrix_view_array(rows.data(), n, m);
+  const auto right = gsl_vector_view_array(b.data(), n);
+  auto found = gsl_vector_view_array(x.data(), m);
+  auto spread = gsl_matrix_view_array(covariance.data(), m, m);
+  double left = 0;
+  gsl_multifit_linear_workspace* work = gsl_multifit_linear_alloc(n, m);
+  gsl_multifit_linear(&matrix.matrix, &right.vector, &found.vector, &spread.matrix, &left, work);
+  gsl_multifit_linear_free(work);
+  return x;
+}
+
+/// Of a square matrix; no numbers if they are not found.
+Eigen::ArrayXcd eigenvalues(MatrixXd a) {
+  const auto n = static_cast<std::size_t>(a.rows());
+  std::vector<double> parts(2 * n);
+  auto matrix = gsl_matrix_view_array(a.data(), n, n);
+  auto found = gsl_vector_complex_view_array(parts.data(), n);
+  gsl_eigen_nonsymm_workspace* work = gsl_eigen_nonsymm_alloc(n);
+  const int failed = gsl_eigen_nonsymm(&matrix.matrix, &found.vector, work);
+  gsl_eigen_nonsymm_free(work);
+  Eigen::ArrayXcd all(a.rows());
+  for (std::size_t i = 0; i < n; ++i)
+    all(static_cast<Eigen::Index>(i)) = {failed ? NAN : parts[2 * i], parts[2 * i + 1]};
+  return all;
+}
+
 }  // namespace
 
 ArrayXd pressure_factor(const FluxMap& map, const VectorXd& h) {
@@ -99,8 +132,7 @@ int anderson(const FluxMap& map, VectorXd& h, Eigen::Index depth) {
       moves.col((step - 2) % depth) = h - last_h;
       gains.col((step - 2) % depth) = change - last;
       const MatrixXd g = gains.leftCols(used), both = moves.leftCols(used) + g;
-      const VectorXd weights = g.colPivHouseholderQr().solve(change);
-      next -= both * weights;
+      next -= both * least_squares(g, change);
     }
     last_h = h;
     last = change;
@@ -146,7 +178,7 @@ double contraction(const FluxMap& map, const VectorXd& h, double relaxation) {
   MatrixXd rest = -through_p(map, h);
   rest.diagonal().array() += 1;
   const MatrixXd step = solve(rest, through_v(map, h));
-  return (1 - relaxation + relaxation * step.eigenvalues().array()).abs().maxCoeff();
+  return (1 - relaxation + relaxation * eigenvalues(step)).abs().maxCoeff();
 }
 
 }  // namespace thermoroll
