@@ -316,8 +316,12 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + 2e-15 * n;
     const bool one_bulk = scene.bulk_difference == 0;
-    if (flat && one_bulk && n <= 200)
-      left(max_temperature) = std::max(left(max_temperature), now / (n * n));
+    const bool coarse_and_flat = flat && n <= 200;
+    double of_layer = coarse_and_flat && one_bulk ? now / (n * n) : 0;
+    if (slow && n < 48) of_layer = now / 20;
+    if (coarse_and_flat && now > then / 2)
+      of_layer = std::max(of_layer, 2 * change(max_temperature));
+    left(max_temperature) = std::max(left(max_temperature), of_layer);
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));

@@ -5,6 +5,8 @@
 #include <random>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -191,6 +193,26 @@ TEST(UnlikeBodies, NextToOneDiffusivityNothingChanges) {
   const Solution y = solve(near, {traction, 0.4}, coupled_to(1e-8));
   for (const Quantity q : {stick_slip_border, creep, load_ratio, gamma0, max_temperature})
     EXPECT_NEAR(x.value(q), y.value(q), 2 * (*x.error)(q) + 1e-8);
+}
+
+// The largest temperature of two scenes of full slip was further from a finer one than its error: a
+// coarse grid of a strongly heated contact misses a layer, and with a bulk difference the
+// coefficients hardly fall from one grid to the next.
+TEST(UnlikeBodies, LayersCountInTheLargestTemperature) {
+  Scene strong{0.126266, 10733.5, 7.16652, {1.60494, 2.99023, 272062}};
+  Scene bulk{0.335001, 8100.81, 0.0484899, {0.512861, 0.065343, 74146.6}};
+  bulk.bulk_difference = 7.65392e-5;
+  for (const auto& [scene, creep, tolerance] :
+       {std::tuple{strong, 0.07990848664, 1e-6}, {bulk, 0.2106635412, 1e-5}}) {
+    const auto hottest = [scene = scene, creep = creep](double to) {
+      Scene braking = scene;
+      braking.direction = thermoroll::Direction::braking;
+      const auto x = solve_coupled(braking, {Formulation::corrected, to}, {Quantity::creep, creep});
+      return std::pair{x.value(Quantity::max_temperature), x.error(Quantity::max_temperature)};
+    };
+    const auto [rough, error] = hottest(tolerance);
+    EXPECT_NEAR(rough, hottest(tolerance / 100).first, error);
+  }
 }
 
 // The insulated cylinder is the limit of one of vanishing effusivity at fixed heat capacity: what
