@@ -216,17 +216,16 @@ double third_order(const Highest& top, const Points& two) {
   return half * half / 6 * std::abs(derivative(top.local, 3, top.rho)(traction) / curvature);
 }
 
-bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
-
 const OnCurve& highest_point(const Points& points) {
-  return *std::max_element(points.begin(), points.end(), [](const OnCurve& a, const OnCurve& b) {
-    return a.traction() < b.traction();
-  });
+  const auto lower = [](const OnCurve& a, const OnCurve& b) { return a.traction() < b.traction(); };
+  return *std::max_element(points.begin(), points.end(), lower);
 }
 
 double spacing(const Points& points) {
   return (points.back().rho - points.front().rho) / static_cast<double>(points.size() - 1);
 }
+
+bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
 
 /// Of all results at the maximum.
 Results error_of_law(const Highest& top, const Points& points, const Results& scale) {
