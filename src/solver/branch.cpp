@@ -233,14 +233,17 @@ Results error_of_law(const Highest& top, const Points& points, const Results& sc
   if (points.size() < 7 || std::none_of(points.begin(), points.end(), has_kinks)) return of_kinks;
   const Points five(points.begin() + 1, points.end() - 1);
   const LocalCurve local = local_curve(five, points[3].rho, top.sticks);
-  const double room = spacing(points), rho = top_of(local, top.rho - room, top.rho + room);
+  const double room = spacing(points), low = std::max(top.rho - room, top.sticks ? 0 : 1.0),
+               high = std::min(top.rho + room, top.sticks ? 1 : 2.0);
+  const double rho = top_of(local, low, high);
   return of_kinks + (derivative(local, 0, rho) - derivative(top.local, 0, top.rho)).abs();
 }
 
 /// None finer if it is the same.
 int finer_than(int n) {
-  const int next = n < 48 ? unknowns_after(n) : 2 * n;
-  return next > most_unknowns ? n : next;
+  const int next = n < 40 ? unknowns_after(n) : 2 * n;
+  if (next <= most_unknowns) return next;
+  return 4 * n <= 3 * most_unknowns ? most_unknowns : n;
 }
 
 /// Move the maximum to that of these points; whether it is found there.
@@ -256,14 +259,15 @@ bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   return std::abs(top.rho - place) < 0.999 * room;
 }
 
-/// Not to that tolerance if errors on the finest grid are above it; they are infinite if not known.
+/// Errors may be above the tolerance on the finest grid. An unknown error is infinite.
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
-  Results last = derivative(top.local, 0, top.rho);
+  Results last = derivative(top.local, 0, top.rho), change = Results::Zero();
   const LocalCurve coarse = top.local;
   double least = 1e-4;
   bool alone = tolerance < 1e-7;
-  constexpr double none = std::numeric_limits<double>::infinity();
-  TractionLimit limit{0, 0, none, none};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr TractionLimit unknown{0, 0, infinite, infinite};
+  TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
     alone = alone || n > 48 || !level.kinks.empty();
@@ -271,23 +275,26 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
     const bool inside = move_to(points, coarse, top);
-    const Results now = derivative(top.local, 0, top.rho);
+    const Results now = derivative(top.local, 0, top.rho), change_before = change;
+    change = (now - last).abs();
     const GridSolution& near = points[0].solution;
     const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before) + third_order(top, points);
     const bool kinked = std::any_of(points.begin(), points.end(), has_kinks);
     const double part = kinked ? 2 : part_with_law(level.h, near.h);
-    const Results of_change = part * (now - last).abs();
+    if (kinked) change = change.max(change_before / 8);
+    const Results of_change = part * change;
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
     Results error = of_change + of_place + error_of_law(top, points, scale);
     error(creep) = std::max(error(creep), scale(creep) * error(traction) / std::abs(now(traction)));
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
-    const bool known = resolved && inside, flat = (kinked && n >= 96) || n == finer_than(n);
+    const bool known = resolved && inside && error.isFinite().all();
+    const bool flat = (kinked && n >= 90) || n == finer_than(n);
     const double rest = flat ? 0 : error(creep) / scale(creep);
     const double worst = std::max(error(traction), rest);
-    if (known)
-      limit = {now(traction), now(creep), std::max(error(traction), tolerance / 10),
-               std::max(error(creep), tolerance / 10 * scale(creep))};
+    limit = {now(traction), now(creep), std::max(error(traction), tolerance / 10),
+             std::max(error(creep), tolerance / 10 * scale(creep))};
+    if (!known) limit = unknown;
     if (known && worst < tolerance) break;
     least = inside ? 1e-4 : std::min(8 * least, 0.06);
     last = now;

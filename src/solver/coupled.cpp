@@ -318,7 +318,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const bool one_bulk = scene.bulk_difference == 0;
     const bool coarse_and_flat = flat && n <= 200;
     double of_layer = coarse_and_flat && one_bulk ? now / (n * n) : 0;
-    if (slow && n < 48) of_layer = now / 20;
+    if (slow && n < 48) of_layer = std::max(of_layer, now / 20);
     if (coarse_and_flat && n > 96 && now > then / 2)
       of_layer = std::max(of_layer, 2 * change(max_temperature));
     left(max_temperature) = std::max(left(max_temperature), of_layer);

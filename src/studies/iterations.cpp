@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include <gsl/gsl_eigen.h>
@@ -62,7 +63,7 @@ struct Patience {
 VectorXd least_squares(const MatrixXd& a, VectorXd b) {
   const auto n = static_cast<std::size_t>(a.rows()), m = static_cast<std::size_t>(a.cols());
   MatrixXd rows = a.transpose(), covariance(a.cols(), a.cols());
-  VectorXd x(a.cols());
+  VectorXd x = VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN());
   const auto matrix = gsl_matrix_view_array(rows.data(), n, m);
   const auto right = gsl_vector_view_array(b.data(), n);
   auto found = gsl_vector_view_array(x.data(), m);
@@ -74,7 +75,7 @@ VectorXd least_squares(const MatrixXd& a, VectorXd b) {
   return x;
 }
 
-/// Of a square matrix; no numbers if they are not found.
+/// Of a square matrix; throws std::runtime_error if they are not found.
 Eigen::ArrayXcd eigenvalues(MatrixXd a) {
   const auto n = static_cast<std::size_t>(a.rows());
   std::vector<double> parts(2 * n);
@@ -83,9 +84,10 @@ Eigen::ArrayXcd eigenvalues(MatrixXd a) {
   gsl_eigen_nonsymm_workspace* work = gsl_eigen_nonsymm_alloc(n);
   const int failed = gsl_eigen_nonsymm(&matrix.matrix, &found.vector, work);
   gsl_eigen_nonsymm_free(work);
+  if (failed) throw std::runtime_error("no eigenvalues found");
   Eigen::ArrayXcd all(a.rows());
   for (std::size_t i = 0; i < n; ++i)
-    all(static_cast<Eigen::Index>(i)) = {failed ? NAN : parts[2 * i], parts[2 * i + 1]};
+    all(static_cast<Eigen::Index>(i)) = {parts[2 * i], parts[2 * i + 1]};
   return all;
 }
 

@@ -100,7 +100,8 @@ struct NotResolved : std::runtime_error {
   std::vector<GridStep> trace;
 };
 
-/// The maximum of a traction-creep curve, where it is, and estimated errors of both.
+/// The maximum of a traction-creep curve, where it is, and estimated errors of both, which may be
+/// above the tolerance (@sec:traction-limit).
 struct TractionLimit {
   double traction, creep, traction_error, creep_error;
 };
