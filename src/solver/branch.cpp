@@ -259,14 +259,20 @@ bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   return std::abs(top.rho - place) < 0.999 * room;
 }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr TractionLimit unknown{0, 0, infinite, infinite};
+
+TractionLimit stated(const Results& at, const Results& error, const Results& least) {
+  return {at(traction), at(creep), std::max(error(traction), least(traction)),
+          std::max(error(creep), least(creep))};
+}
+
 /// Errors may be above the tolerance on the finest grid. An unknown error is infinite.
 TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
   Results last = derivative(top.local, 0, top.rho), change = Results::Zero();
   const LocalCurve coarse = top.local;
   double least = 1e-4;
   bool alone = tolerance < 1e-7;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  constexpr TractionLimit unknown{0, 0, infinite, infinite};
   TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
@@ -292,9 +298,7 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const bool flat = (kinked && n >= 90) || n == finer_than(n);
     const double rest = flat ? 0 : error(creep) / scale(creep);
     const double worst = std::max(error(traction), rest);
-    limit = {now(traction), now(creep), std::max(error(traction), tolerance / 10),
-             std::max(error(creep), tolerance / 10 * scale(creep))};
-    if (!known) limit = unknown;
+    limit = known ? stated(now, error, tolerance / 10 * scale) : unknown;
     if (known && worst < tolerance) break;
     least = inside ? 1e-4 : std::min(8 * least, 0.06);
     last = now;
