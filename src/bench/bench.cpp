@@ -37,10 +37,12 @@ void time_run(benchmark::State& state, const Run& run) {
 void name_runs() {
   std::set<std::string> known;  // the closed form's is the same in all regimes
   const auto name = [&](const std::vector<Run>& some) {
-    for (const Run& run : some)
-      if (known.insert(run.name).second)
-        benchmark::RegisterBenchmark(run.name.c_str(), time_run, run)
-            ->Unit(benchmark::kMicrosecond);
+    for (const Run& run : some) {
+      if (!known.insert(run.name).second) continue;
+      auto* timed = benchmark::RegisterBenchmark(run.name.c_str(), time_run, run);
+      timed->Unit(benchmark::kMicrosecond);
+      if (run.setting > 200) timed->Repetitions(1);  // most of a second each
+    }
   };
   for (const Regime& regime : regimes) name(runs(regime));
   for (const auto& [scene, run] : cost_runs()) name({run});

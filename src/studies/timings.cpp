@@ -29,6 +29,7 @@ nlohmann::json read_json(const std::string& path) {
 double spread_of(const std::map<std::string, std::vector<double>>& all) {
   std::vector<double> spreads;
   for (const auto& [name, values] : all) {
+    if (values.size() < 2) continue;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     spreads.push_back((*most - *least) / *least);
   }
@@ -42,7 +43,8 @@ std::map<std::string, std::vector<double>> repetitions(const nlohmann::json& out
   for (const auto& run : output.at("benchmarks")) {
     if (run.at("run_type") != "iteration" || run.value("error_occurred", false)) continue;
     const double unit = seconds.at(run.at("time_unit").get<std::string>());
-    all[run.at("run_name")].push_back(unit * run.at("cpu_time").get<double>());
+    const std::string name = run.at("run_name");
+    all[name.substr(0, name.find("/repeats:"))].push_back(unit * run.at("cpu_time").get<double>());
   }
   return all;
 }

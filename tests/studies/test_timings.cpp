@@ -118,13 +118,15 @@ TEST(Timings, RefusesWhatIsNoOutput) {
 }
 
 // The repetitions of some of ten benchmarks lie 1 apart at a least time of 4. Nine of ten is all
-// but one.
+// but one. Ten more that are timed once have no spread.
 TEST(Timings, TellsTheirCircumstances) {
   const auto output = [](int apart) {
     std::string runs;
     for (int k = 0; k < 10; ++k)
       for (const double time : {4.0, k < apart ? 5.0 : 4.0})
         runs += (runs.empty() ? "" : ",") + repetition("a" + std::to_string(k), time, "s");
+    for (int k = 0; k < 10; ++k)
+      runs += "," + repetition("b" + std::to_string(k) + "/repeats:1", 3, "s");
     return R"({"context": {"processor": "2 × X", "compiler": "C 1"}, "benchmarks": [)" + runs +
            "]}";
   };
@@ -135,6 +137,7 @@ TEST(Timings, TellsTheirCircumstances) {
     EXPECT_EQ(run.compiler, "C 1");
     EXPECT_EQ(run.repetitions, 2);
     EXPECT_EQ(run.spread, spread) << apart;
+    EXPECT_EQ(run.times.at("b0"), 3);
   }
   const File file(R"({"benchmarks": []})");
   EXPECT_EQ(thermoroll::read_benchmarks(file.path()).processor, "an unknown processor");
