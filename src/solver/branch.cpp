@@ -272,7 +272,8 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
   Results last = derivative(top.local, 0, top.rho), change = Results::Zero();
   const LocalCurve coarse = top.local;
   double least = 1e-4;
-  bool alone = tolerance < 1e-7;
+  const bool exact = tolerance < 1e-7;
+  bool alone = exact;
   TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
@@ -287,12 +288,13 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before) + third_order(top, points);
     const bool kinked = std::any_of(points.begin(), points.end(), has_kinks);
     const double part = kinked ? 2 : part_with_law(level.h, near.h);
-    if (kinked) change = change.max(change_before / 8);
+    if (kinked || exact) change = change.max(change_before / 8);
     const Results of_change = part * change;
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
     Results error = of_change + of_place + error_of_law(top, points, scale);
-    error(creep) = std::max(error(creep), scale(creep) * error(traction) / std::abs(now(traction)));
+    const double of_height = scale(creep) * error(traction) / std::abs(now(traction));
+    error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * std::max(error(creep), of_height);
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
     const bool known = resolved && inside && error.isFinite().all();
     const bool flat = (kinked && n >= 90) || n == finer_than(n);
