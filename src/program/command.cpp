@@ -161,6 +161,14 @@ void say_what_is_unused(const SceneOptions& o) {
                  scheme ? "--tolerance" : "--nodes", method.c_str());
 }
 
+void say_reference(const SceneOptions& o) {
+  const bool has_law = value_of(law_names, o.friction_law).has_value();
+  if (has_law && two_bulks(o) && !o.friction_reference_temperature)
+    std::fprintf(stderr,
+                 "thermoroll: note: --friction holds at the half-space's bulk temperature (see "
+                 "--friction-reference-temperature)\n");
+}
+
 void print_notes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
@@ -170,6 +178,7 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   require_contact(x);
   if (physical) print_notes(physical->notes);
   say_what_is_unused(o);
+  say_reference(o);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
   if (x.approach.method == Method::gauss_chebyshev && apart > 1)

@@ -139,6 +139,20 @@ void add_limits(Object& o, Object* error, const Solution& x) {
   put("creep_at_traction_limit", limited, sign * limit.creep, limit.creep_error);
 }
 
+struct OptionalRow {
+  const char *name, *unit;
+  std::optional<Estimate> found;
+};
+
+std::array<OptionalRow, 3> optional_rows(const FoundInSi& x) {
+  std::optional<Estimate> contact;
+  const double error = x.error ? x.error->max_temperature_celsius : 0;
+  if (x.contact_temperature_celsius) contact = {*x.contact_temperature_celsius, error};
+  return {{{"contact_temperature_celsius", "degree C", contact},
+           {"tangential_load_limit", "N/m", x.tangential_load_limit},
+           {"creep_ratio_at_limit", "", x.creep_ratio_at_limit}}};
+}
+
 template <class T, std::size_t n>
 void add(Object& o, const Row<T> (&rows)[n], const T& values) {
   for (const Row<T>& row : rows) o[row.name] = values.*row.value;
@@ -149,13 +163,12 @@ void add(Object& o, const Results& values) {
 }
 
 void add_physical(Object& o, Object& error, const FoundInSi& physical) {
-  const char* contact = "contact_temperature_celsius";
-  const std::optional<double>& temperature = physical.contact_temperature_celsius;
   add(o, physical_rows, physical.value);
-  o[contact] = temperature ? json(*temperature) : json();
-  if (!physical.error) return;
-  add(error, physical_rows, *physical.error);
-  error[contact] = temperature ? json(physical.error->max_temperature_celsius) : json();
+  if (physical.error) add(error, physical_rows, *physical.error);
+  for (const auto& [name, unit, found] : optional_rows(physical)) {
+    o[name] = found ? json(found->value) : json();
+    if (physical.error) error[name] = found ? json(found->error) : json();
+  }
 }
 
 /// The values and errors of a solution by their keys; the errors are empty where none are known.
@@ -277,15 +290,16 @@ constexpr std::string_view of_a_roller[] = {
     "peclet_2",      "effusivity_ratio",    "bulk_difference", "heat_1",
     "heat_2",        "heat_partition",      "exchanged_heat",  "no_slip_traction",
     "no_slip_creep", "edge_log_coefficient"};
-constexpr std::string_view of_a_law[] = {
-    "friction_law", "friction_temperature", "friction_floor", "friction_reference_temperature",
-    "branch",       "friction_min",         "traction_limit", "creep_at_traction_limit"};
+constexpr std::string_view of_a_law[] = {"friction_law",   "friction_temperature",
+                                         "friction_floor", "friction_reference_temperature",
+                                         "branch",         "friction_min"};
 
 bool is_left_out(std::string_view key, const MoreColumns& with) {
   const auto is_in = [&](const auto& keys) {
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
   };
-  return (!with.roller && is_in(of_a_roller)) || (!with.law && is_in(of_a_law)) ||
+  return (!with.roller && is_in(of_a_roller)) ||
+         (!with.law && (is_in(of_a_law) || key.ends_with("_limit"))) ||
          (!with.roller && !with.law && key == "full_slip") ||
          (!with.bulk && key == "contact_temperature_celsius");
 }
@@ -365,10 +379,8 @@ void add_physical(Table& table, const FoundInSi& physical) {
     const double error = physical.error ? *physical.error.*row.value : 0;
     add_row(table, {row.name, row.symbol, physical.value.*row.value, error, 6, row.unit});
   }
-  if (!physical.contact_temperature_celsius) return;
-  const double error = physical.error ? physical.error->max_temperature_celsius : 0;
-  const double temperature = *physical.contact_temperature_celsius;
-  add_row(table, {"contact_temperature_celsius", "", temperature, error, 6, "degree C"});
+  for (const auto& [name, unit, found] : optional_rows(physical))
+    if (found) add_row(table, {name, "", found->value, found->error, 6, unit});
 }
 
 std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical) {
@@ -446,7 +458,8 @@ ColumnMeaning meaning_of(const std::string& column) {
   const bool physical = column.find("physical.") == 0, error = name != column && !physical;
   for (const auto& row : physical_rows)
     if (physical && name == row.name) return {row.symbol, *row.unit == 0 ? "1" : row.unit};
-  if (physical && name == "contact_temperature_celsius") return {"", "degree C"};
+  for (const OptionalRow& row : optional_rows({}))
+    if (physical && name == row.name) return {"", *row.unit == 0 ? "1" : row.unit};
   for (const Reported& row : reported)
     if (name == row.key) return {error ? "" : row.symbol, "1"};
   return {"", "1"};

@@ -95,15 +95,37 @@ std::string listed(const LawTable& table, const std::string& infinite) {
   return text;
 }
 
+nlohmann::ordered_json scene_of_law(const Scene& x) {
+  nlohmann::ordered_json o{{"friction", x.friction}, {"peclet", x.peclet}, {"heating", x.heating}};
+  if (x.roller.conductivity_ratio > 0) {
+    o["conductivity_ratio"] = x.roller.conductivity_ratio;
+    o["heating_2"] = x.roller.heating;
+    o["peclet_2"] = peclet_2(x);
+    o["bulk_difference"] = x.bulk_difference;
+  }
+  if (const auto* law = x.law.target<LawOfFriction>()) {
+    o["friction_law"] = name_of(law_names, std::optional(law->kind));
+    o["friction_temperature"] = law->of.scale;
+    o["friction_floor"] = law->of.floor;
+    o["friction_reference_temperature"] = law->of.reference;
+  }
+  return o;
+}
+
 std::string told(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
                  const std::string& mark) {
   const LawUnits unit = units.value_or(LawUnits{});
-  std::string text = mark + "Rolling contact by thermoroll: f = " + shortest(scene.friction) +
-                     ", Pe = " + shortest(scene.peclet) + ", H = " + shortest(scene.heating) +
-                     ".\n";
+  const nlohmann::ordered_json given = scene_of_law(scene);
+  std::string text = mark + "Rolling contact by thermoroll:\n";
+  for (const auto& [key, value] : given.items())
+    text += mark + "  " + key + " = " + value.dump() + '\n';
+  if (units)
+    text += mark + "  speed = " + shortest(units->speed) +
+            " m/s, load = " + shortest(units->traction) + " N/m\n";
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
-                          "largest rise in degree C.\n"
+                          "largest rise over the half-space's bulk in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
+  if (units) text += mark + "Strains are small up to a creep of 0.1 only.\n";
   text += mark + "Errors: of the traction " + rounded(law.traction_error * unit.traction, 2) +
           ", of the temperature " + rounded(law.temperature_error * unit.temperature, 2) + ";\n" +
           mark + "in full slip the latter grows like the creep from where all slips on.\n";
@@ -210,15 +232,15 @@ std::string in_python(const CreepLaw& law, const LawUnits& unit, const std::stri
 
 constexpr const char* modelica_algorithm = R"(  Real more = creep / creep_unit - no_slip_creep;
   Integer side = if more < 0 then 2 else 1;
-  Real sign = if more < 0 then -1 else 1;
-  Real size = sign * more;
+  Real way = if more < 0 then -1 else 1;
+  Real distance = way * more;
   Real z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
   Integer k;
 algorithm
   traction := 0; slope := 0; temperature := 0; status := 1;
-  if size <= last_creep[side] then
+  if distance <= last_creep[side] then
     status := 0;
-    z := if size <= unit_creep[side] then sqrt(size / unit_creep[side]) else 2 - unit_creep[side] / size;
+    z := if distance <= unit_creep[side] then sqrt(distance / unit_creep[side]) else 2 - unit_creep[side] / distance;
     k := first_piece[side] + 1;
     while k < first_piece[side + 1] and z > to_z[k] loop k := k + 1; end while;
     per_z := 2 / (to_z[k] - from_z[k]);
@@ -238,13 +260,13 @@ algorithm
 )";
 
 constexpr const char* modelica_end = R"(    if from_z[k] < 1 then
-      traction := traction_unit * (no_slip_traction + sign * size * q);
+      traction := traction_unit * (no_slip_traction + way * distance * q);
       slope := traction_unit / creep_unit * (q + z * per_z * by_x / 2);
       temperature := temperature_unit * t;
     else
-      traction := traction_unit * sign * q;
-      slope := traction_unit / creep_unit * unit_creep[side] / size / size * per_z * by_x;
-      temperature := temperature_unit * t * size / unit_creep[side];
+      traction := traction_unit * way * q;
+      slope := traction_unit / creep_unit * unit_creep[side] / distance / distance * per_z * by_x;
+      temperature := temperature_unit * t * distance / unit_creep[side];
     end if;
   end if;
 end creep_law;
@@ -263,8 +285,7 @@ std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::st
 }
 
 std::string in_json(const CreepLaw& law, const LawUnits& unit, const Scene& scene) {
-  nlohmann::ordered_json o{
-      {"friction", scene.friction}, {"peclet", scene.peclet}, {"heating", scene.heating}};
+  nlohmann::ordered_json o = scene_of_law(scene);
   for (const auto& [name, number] : constants_of(law, unit)) o[name] = number;
   for (const LawTable& table : tables_of(law)) {
     const std::vector<int> counts(table.numbers.begin(), table.numbers.end());

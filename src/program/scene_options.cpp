@@ -200,8 +200,7 @@ Direction read_direction(const SceneOptions& o, const Prescribed& given) {
   if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
   const Direction direction = value_of(direction_names, o.direction);
   const SceneOption& option = given_option(o);
-  const bool two_bulks = o.bulk_temperature_2 && o.bulk_temperature_2 != o.bulk_temperature;
-  if (has_sign && (o.bulk_difference.value_or(0) != 0 || two_bulks))
+  if (has_sign && (o.bulk_difference.value_or(0) != 0 || two_bulks(o)))
     throw std::invalid_argument(
         std::string("--direction is for a given border where bulk temperatures differ: with ") +
         option.name + " it follows from the state without slip");
@@ -278,6 +277,8 @@ void check_law_options(const SceneOptions& o, bool si) {
     throw std::invalid_argument("data in SI units exclude --bulk-difference");
   if (o.bulk_temperature_2 && !o.bulk_temperature)
     throw std::invalid_argument("--bulk-temperature-2 needs --bulk-temperature");
+  if (two_bulks(o) && value_of(roller_names, o.roller) == RollerKind::insulated)
+    throw std::invalid_argument("--bulk-temperature-2 needs a --roller that conducts heat");
   if (si && o.friction_reference_temperature && !o.bulk_temperature)
     throw std::invalid_argument(
         "--friction-reference-temperature in degree C needs --bulk-temperature");
@@ -344,7 +345,8 @@ std::string meant(const std::string& word, const CLI::App& app) {
     for (const CLI::Option* option : all_options(app)) names.push_back(option->get_name());
   else if (app.get_subcommands().empty())
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  const std::string name = nearest(word.substr(0, word.find('=')), names);
+  const std::string own = word.substr(0, word.find('=')), name = nearest(own, names);
+  if (name == own) return " before the command: it goes behind it";
   return name.empty() ? " (see --help)" : " (did you mean " + name + "?)";
 }
 

@@ -36,6 +36,11 @@ struct SceneOptions {
   Maybe tolerance;
 };
 
+/// Whether two bulk temperatures are given that differ.
+inline bool two_bulks(const SceneOptions& o) {
+  return o.bulk_temperature_2 && o.bulk_temperature_2 != o.bulk_temperature;
+}
+
 /// Declare the options of a scene, which CLI11 will write to o.
 void add_scene_options(CLI::App& command, SceneOptions& o);
 

@@ -349,15 +349,17 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                           ? "steel melts there"
                           : "steel melts there with all heat in one body: two steel bodies are "
                             "about half as hot";
+  const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
        units},
-      {"creep_ratio", std::abs(x.creep_ratio), 0.1, "strains are not small there",
-       "are all data in SI units and creeps no percentages?"},
+      {x.creep_ratio < 0 ? "-creep_ratio" : "creep_ratio", std::abs(x.creep_ratio), 0.1,
+       "strains are not small there", "are all data in SI units and creeps no percentages?"},
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
-      {"max_temperature_celsius", x.max_temperature_celsius, 1500, melts, units}};
+      {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
+       1500, melts, units}};
   std::vector<std::string> notes;
   for (const auto& [name, value, most, meaning, question] : limits) {
     if (!(value > most)) continue;
@@ -457,6 +459,14 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   if ((*x.error)(traction) > 0)
     error.tangential_load += 2 * of_size * std::abs(y.value.tangential_load);
   if (given == CreepUnit::ratio) error.creep_ratio = 0;
+  const auto* found = std::get_if<CoupledSolution>(&x.found);
+  if (found == nullptr || !found->limit) return y;
+  const TractionLimit& limit = *found->limit;
+  const double sign = sign_of(x.scene.direction), ratio = unit.slip / si.speed;
+  const double of_both = 2 * of_size * ratio * limit.creep;
+  y.tangential_load_limit = {sign * limit.traction * si.load,
+                             (limit.traction_error + 2 * of_size * limit.traction) * si.load};
+  y.creep_ratio_at_limit = {sign * limit.creep * ratio, limit.creep_error * ratio + of_both};
   return y;
 }
 
@@ -486,6 +496,14 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
   throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
 }
 
+std::string units_told(const GivenScene& c) {
+  PhysicalScene si = *c.physical;
+  if (c.radius) si.half_width = hertz_half_width(si.load, *c.radius, si.shear_modulus, si.poisson);
+  const double ratio = units_of(si, c.scene.friction).slip / si.speed;
+  return " (traction 1 is " + rounded(si.load, 6) + " N/m, creep 1 is creep-ratio " +
+         rounded(ratio, 4) + ")";
+}
+
 SolvedScene solve_scene(const GivenScene& c) try {
   if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
   PhysicalScene si = *c.physical;
@@ -499,8 +517,9 @@ SolvedScene solve_scene(const GivenScene& c) try {
 } catch (const std::invalid_argument& refusal) {
   const std::string text = refusal.what();
   const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
-  if (c.as_given.empty() || !about_it) throw;
-  throw std::invalid_argument(c.as_given + ": " + text);
+  if (!c.physical || !about_it) throw;
+  const std::string given = c.as_given.empty() ? "" : c.as_given + ": ";
+  throw std::invalid_argument(given + text + units_told(c));
 }
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {

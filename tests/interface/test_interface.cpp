@@ -504,7 +504,7 @@ TEST(Interface, NotesAreWhole) {
   const std::string notes = found.notes;
   for (const char* name :
        {"half_width_over_radius = ", "; creep_ratio = 0.2 is above 0.1; ",
-        "; hertz_pressure = 9.79e+08 is above 2e+08; ", "; max_temperature_celsius = "})
+        "; hertz_pressure = 9.79e+08 is above 2e+08; ", "; contact_temperature_celsius = "})
     EXPECT_NE(notes.find(name), std::string::npos) << name << " is not in " << notes;
   EXPECT_EQ(notes.substr(notes.size() - 4), "1500");
 }

@@ -182,6 +182,12 @@ TangentialLoad() {
   done
   refuses 2 "tangential-load = 6e+06 over load = 1.2e+07: traction = 0.5 is not allowed: it must be at most 0." \
     solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
+  grep -q ' (traction 1 is 1.2e+07 N/m, creep 1 is creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
+  # The unit of a creep that is refused, here of one at which all slips, is that of the scene.
+  answers solve "${data[@]}" --creep-ratio 0.005 --format json
+  local creep=$(value creep)
+  refuses 2 "the creep is not determined" solve "${data[@]}" --traction 0.6
+  near "$(sed -n 's/.*creep-ratio \(.*\))$/\1/p' err)" "$(calculate "0.005 / $creep")" 1e-5
   answers solve "${data[@]}" --tangential-load 1e6 --friction-law linear --friction-temperature 200 \
     --branch falling --format json
   [ "$(value branch) $(value tangential_load)" = "falling 1000000.0" ] || fail "$(cat out)"
@@ -342,7 +348,7 @@ JsonHasItsKeysInOrder() {
   end="$end error_estimate"
   local physical="physical half_width radius creep_ratio hertz_pressure max_pressure max_traction"
   physical="$physical max_heat_flux max_temperature_celsius half_width_over_radius dissipation tangential_load max_temperature_at_m"
-  physical="$physical contact_temperature_celsius error_estimate"
+  physical="$physical contact_temperature_celsius tangential_load_limit creep_ratio_at_limit error_estimate"
   keys() { grep -o '^ *"[a-z0-9_]*":' out | tr -d ' ":' | paste -sd' '; }
   answers solve "${paper_scene[@]}" "${published[@]}" --format json
   [ "$(keys)" = "$case $bounded $end" ] || fail "keys: $(keys)"
@@ -379,7 +385,7 @@ CsvSaysWhatJsonSays() {
     answers solve "${steel[@]}" --half-width 5.5e-3 --method $method --format json
     local pair="roller\|direction\|heating_2\|conductivity_ratio\|peclet_2\|effusivity_ratio\|bulk_difference\|exchanged_heat\|no_slip_[a-z]*\|edge_log_coefficient\|heat_[12]\|heat_partition\|full_slip"
     pair="$pair\|friction_law\|friction_temperature\|friction_floor\|friction_reference_temperature\|branch"
-    pair="$pair\|friction_min\|traction_limit\|creep_at_traction_limit\|contact_temperature_celsius"
+    pair="$pair\|friction_min\|traction_limit\|creep_at_traction_limit\|contact_temperature_celsius\|tangential_load_limit\|creep_ratio_at_limit"
     sed -n '/^ *"\('"$pair"'\)":/d; s/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  *}.*/out/p' out |
       awk '$1 == "in" { prefix = prefix $2 "."; next } $1 == "out" { sub(/[a-z_]*\.$/, "", prefix); next }
            { key = $1; sub(/^[^ ]* /, ""); print prefix key, $0 == "null" || $0 == "[]" ? "" : $0 }' |
@@ -759,6 +765,8 @@ BulkDifference() {
   refuses 2 "for data in SI units only: --bulk-temperature-2" solve "${scene[@]}" --bulk-temperature-2 10
   refuses 2 "data in SI units exclude --bulk-difference" \
     solve "${steel[@]}" --half-width 5.5e-3 --roller identical --bulk-difference 0.01
+  refuses 2 "--bulk-temperature-2 needs a --roller that conducts heat" \
+    solve "${steel[@]}" --half-width 5.5e-3 --bulk-temperature 20 --bulk-temperature-2 10
   refuses 2 "--bulk-temperature-2 needs --bulk-temperature" \
     solve "${steel[@]}" --half-width 5.5e-3 --roller identical --bulk-temperature-2 10
   refuses 2 "a bulk difference needs the method coupled or auto" \
@@ -1310,6 +1318,7 @@ NearestNames() {
   refuses 2 "unexpected --fricton=0.6 (did you mean --friction?)" solve --fricton=0.6
   refuses 2 "unexpected --tolerence (did you mean --tolerance?)" solve "${paper_scene[@]}" --tolerence 1e-3
   refuses 2 "unexpected --confg (did you mean --config?)" solve --confg wheel.toml
+  refuses 2 "unexpected --creep before the command: it goes behind it" --creep 0.1 solve "${paper_scene[@]}"
   refuses 2 "unexpected --nonsense (see --help)" solve --nonsense 1
   refuses 2 "unexpected sovle (did you mean solve?)" sovle "${paper_scene[@]}"
   refuses 2 "unexpected solv (did you mean solve?)" solv
@@ -1977,6 +1986,26 @@ NoInputIsReplaced() {
 }
 
 # The range of a curve as fractions of the speed, which are its column.
+# The largest traction in N/m and its creep ratio, with errors, when driving and when braking.
+LimitsInSi() {
+  local sign more key
+  for sign in "" -; do
+    for more in "--half-width 5.5e-3" "--radius 0.46"; do
+      answers solve "${steel[@]:0:2}" "${steel[@]:4}" $more --traction ${sign}0.2 --friction-law linear \
+        --friction-temperature 200 --format json
+      for key in tangential_load_limit:traction_limit:tangential_load:traction \
+        creep_ratio_at_limit:creep_at_traction_limit:creep_ratio:creep; do
+        set -- ${key//:/ }
+        near "$(calculate "$(value $1) / $(value $3) * $(value $4) / $(value $2)")" 1 1e-12
+        [ "$(grep -c "\"$1\": $sign[0-9]" out)" -ge 1 ] || fail "$(cat out)"
+        [ "$(grep -c "\"$1\": [0-9.]*e-[0-9]*\|\"$1\": [0-9.]*,$" out)" -ge 1 ] || fail "no error: $(cat out)"
+      done
+    done
+  done
+  answers solve "${steel[@]}" --half-width 5.5e-3 --format json
+  [ "$(value tangential_load_limit) $(value creep_ratio_at_limit)" = "null null" ] || fail "$(cat out)"
+}
+
 CurveByCreepRatio() {
   write_wheel
   sed -i /traction/d wheel.toml

@@ -87,6 +87,8 @@ struct FoundInSi {
   /// The largest temperature in the contact, degree C, if the bulk temperature is known. Its error
   /// is that of the rise.
   std::optional<double> contact_temperature_celsius{};
+  /// The largest traction, N/m, and its creep as a fraction of the speed, if there is a maximum.
+  std::optional<Estimate> tangential_load_limit{}, creep_ratio_at_limit{};
 };
 
 /// Whether a prescribed creep is xi*, or the fraction xi of the speed.
