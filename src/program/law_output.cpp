@@ -307,7 +307,8 @@ std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, d
     const double wanted = way.back() * k / (range.points - 1);
     while (next + 1 < way.size() && way[next] <= wanted) ++next;
     const double share = (wanted - way[next - 1]) / (way[next] - way[next - 1]);
-    points.push_back(creep[next - 1] + share * (creep[next] - creep[next - 1]));
+    const double here = creep[next - 1] + share * (creep[next] - creep[next - 1]);
+    points.push_back(std::abs(here) < 1e-12 * (range.to - range.from) ? 0 : here);
   }
   points.push_back(range.to);
   return points;

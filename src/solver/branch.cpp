@@ -259,6 +259,19 @@ bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   return std::abs(top.rho - place) < 0.999 * room;
 }
 
+double height(const Highest& x) { return derivative(x.local, 0, x.rho)(traction); }
+
+/// Whether the other side of full slip is not higher. If it is, move the maximum there.
+bool is_higher_side(CreepCurve& curve, Highest& top, const GridSolution& near) {
+  Highest other{top.local, 1, !top.sticks};
+  const Points beside = around(curve, other, true, 0.02, near);
+  if (beside.size() < 7) return true;
+  move_to(beside, other.local, other);
+  if (other.rho == 1 || height(other) <= height(top) * (1 + 1e-9)) return true;
+  top = other;
+  return false;
+}
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr TractionLimit unknown{0, 0, infinite, infinite};
 
@@ -273,15 +286,16 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
   const LocalCurve coarse = top.local;
   double least = 1e-4;
   const bool exact = tolerance < 1e-7;
-  bool alone = exact;
+  bool alone = exact, inside = true;
   TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
-    alone = alone || n > 48 || !level.kinks.empty();
+    alone = alone || n > 48 || !level.kinks.empty() || !inside;
     const Points points = around(curve, top, alone, least, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    const bool inside = move_to(points, coarse, top);
+    inside = move_to(points, coarse, top) &&
+             (std::abs(top.rho - 1) > 1e-3 || is_higher_side(curve, top, points[0].solution));
     const Results now = derivative(top.local, 0, top.rho), change_before = change;
     change = (now - last).abs();
     const GridSolution& near = points[0].solution;

@@ -670,6 +670,27 @@ TEST(HotFriction, AHotPointBetweenNodesIsAKink) {
               x.error(Quantity::traction) + finer.error(Quantity::traction));
 }
 
+// Friction begins to fall shortly before all slips. A coarse grid has the maximum where full slip
+// begins, with 50 times the stated error. No creep near the maximum has more traction, and its own
+// creep has as much.
+TEST(HotFriction, MaximumIsOnEitherSideOfFullSlip) {
+  Scene weak{0.084233, 52.6828, 6.87666e-5}, strong{0.218191723, 2.43993541, 1.65089331};
+  weak.law = rational_friction({0.0738241, 0.571282, 0.00148835});
+  strong.law = exponential_friction({0.870621635, 0.294796327, 0.0202703767});
+  for (const Scene& scene : {weak, strong})
+    for (const double tolerance : {1e-4, 1e-6}) {
+      const auto x = solve(scene, {Quantity::traction, 0.9 * scene.friction}, tolerance).limit;
+      ASSERT_TRUE(x);
+      for (const double share : {0.98, 0.99, 1.0, 1.01, 1.02}) {
+        const CoupledSolution y = at_creep(scene, share * x->creep, 1e-7);
+        const double error = x->traction_error + y.error(Quantity::traction);
+        EXPECT_LT(y.value(Quantity::traction), x->traction + error);
+        if (share != 1) continue;
+        EXPECT_GT(y.value(Quantity::traction), x->traction - error);
+      }
+    }
+}
+
 // Where friction begins to fall just before full slip, a coarse grid does not see it and has the
 // maximum at full slip, next to which the search is narrow. It widens.
 TEST(HotFriction, MaximumJustBeforeFullSlip) {
