@@ -303,10 +303,9 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const bool kinked = std::any_of(points.begin(), points.end(), has_kinks);
     const double part = kinked ? 2 : part_with_law(level.h, near.h);
     if (kinked || exact) change = change.max(change_before / 8);
-    const Results of_change = part * change;
     const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
     const Results scale = scale_in(curve.scene, now);
-    Results error = of_change + of_place + error_of_law(top, points, scale);
+    Results error = part * change + of_place + error_of_law(top, points, scale);
     const double of_height = scale(creep) * error(traction) / std::abs(now(traction));
     error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * std::max(error(creep), of_height);
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));

@@ -1737,6 +1737,24 @@ for creep, line in zip(sys.argv[1:], open("expected"), strict=True):
 END
 }
 
+# A law names its scene as a result does, in JSON and in the comment of a program.
+LawTellsItsScene() {
+  local scene=(--friction 0.6 --peclet 10 --heating 0.01 --tolerance 1e-2 --roller conducting
+    --conductivity-ratio 2 --heating-2 0.02 --peclet-2 20 --bulk-difference 0.001
+    --friction-law linear --friction-temperature 0.3 --friction-floor 0.4 --friction-reference-temperature 0.002)
+  law_in json law.json "${scene[@]}"
+  law_in c law.c "${scene[@]}"
+  answers solve "${scene[@]}" --creep 0.1 --format json
+  local key
+  for key in friction peclet heating conductivity_ratio heating_2 peclet_2 bulk_difference friction_law \
+    friction_temperature friction_floor friction_reference_temperature; do
+    grep -q "^ *\"$key\": .*$(value $key)" law.json || fail "$key: $(head -12 law.json)"
+    grep -q "^//   $key = .*$(value $key)" law.c || fail "$key: $(head -12 law.c)"
+  done
+  law_in json law.json "${wheel[@]}" --tolerance 1e-2
+  ! grep -q "friction_law\|conductivity_ratio" law.json || fail "what is not there: $(head -12 law.json)"
+}
+
 # The tables alone are enough: the series as the sum of cosines that it is.
 LawRunsFromJson() {
   law_in c law.c "${wheel[@]}" --tolerance 1e-3
