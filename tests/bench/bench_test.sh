@@ -6,7 +6,7 @@ bench=$2 program=$3 study=$4 count=$5
 
 # The benchmarks have the names that the report speaks of, each once.
 NamesAreThoseOfTheReport() {
-  "$bench" --benchmark_list_tests >"$work/names"
+  "$bench" --benchmark_list_tests | sed "s|/repeats:1$||" >"$work/names"
   local name
   for name in closed_form temperature_curve/points:400 \
     gauss_chebyshev{,_thrifty,_moments}/n:{25,200,800}/Pe:{100,4360}/H:0.0175 \
