@@ -463,10 +463,11 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   if (found == nullptr || !found->limit) return y;
   const TractionLimit& limit = *found->limit;
   const double sign = sign_of(x.scene.direction), ratio = unit.slip / si.speed;
-  const double of_both = 2 * of_size * ratio * limit.creep;
-  y.tangential_load_limit = {sign * limit.traction * si.load,
-                             (limit.traction_error + 2 * of_size * limit.traction) * si.load};
-  y.creep_ratio_at_limit = {sign * limit.creep * ratio, limit.creep_error * ratio + of_both};
+  const auto with_size = [&](double value, double own) -> Estimate {
+    return {sign * value, own + 2 * of_size * std::abs(value)};
+  };
+  y.tangential_load_limit = with_size(limit.traction * si.load, limit.traction_error * si.load);
+  y.creep_ratio_at_limit = with_size(limit.creep * ratio, limit.creep_error * ratio);
   return y;
 }
 
