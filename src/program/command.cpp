@@ -296,7 +296,9 @@ void run_law(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   const CreepLaw law =
       creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance));
-  deliver({{law_text(law, c.scene, c.units, value_of(language_names, o.language)), o.output}});
+  deliver({{law_text(law, c.scene, c.formulation, c.units, value_of(language_names, o.language)),
+            o.output}});
+  say_reference(o.of_scene);
   if (c.physical) print_notes(notes_on(*c.physical, 0, 0));
 }
 
@@ -339,7 +341,7 @@ std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<doub
                                      const LawUnits& units, const PhysicalScene& si) {
   double creep = 0, rise = 0;
   for (const double x : creeps) {
-    creep = std::max(creep, std::abs(x) * units.creep);
+    if (std::abs(x) * units.creep > std::abs(creep)) creep = x * units.creep;
     if (const auto at = evaluate(law, x))
       rise = std::max(rise, at->temperature * units.temperature);
   }
@@ -377,6 +379,7 @@ void run_creep_curve(const Options& o) {
   const CurveRange range{bound(first_end, from, law), bound(last_end, to, law), o.points};
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
+  say_reference(o.of_scene);
   print_notes(notes_on_ends(law, from, to, c.units));
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));
 }
@@ -660,8 +663,10 @@ piecewise-linear, whose floor may be above 1; where theta < 0 it is f. For linea
 --friction-temperature makes friction rise.
 Temperatures in degree C are rises over the bulk temperature, but contact_temperature_celsius and
 absolute_temperature_celsius, which are there where --bulk-temperature is given. The force Q in N/m
-is tangential_load, in JSON and CSV of solve below physical, and traction is Q over the load. Unless --roller says otherwise, all heat goes into
-one body, the half-space: two steel bodies (--roller identical) are about half as hot.)";
+is tangential_load, in JSON and CSV of solve below physical, and traction is Q over the load. With a
+law and a given traction, traction_limit or tangential_load_limit is the largest one. Unless --roller
+says otherwise, all heat goes into one body, the half-space: two steel bodies (--roller identical)
+are about half as hot.)";
 
 constexpr const char* sweep_examples = R"(Examples:
   thermoroll sweep scenes.csv --output results.csv

@@ -95,8 +95,9 @@ std::string listed(const LawTable& table, const std::string& infinite) {
   return text;
 }
 
-nlohmann::ordered_json scene_of_law(const Scene& x) {
+nlohmann::ordered_json scene_of_law(const Scene& x, Formulation formulation) {
   nlohmann::ordered_json o{{"friction", x.friction}, {"peclet", x.peclet}, {"heating", x.heating}};
+  o["formulation"] = name_of(formulation_names, formulation);
   if (x.roller.conductivity_ratio > 0) {
     o["conductivity_ratio"] = x.roller.conductivity_ratio;
     o["heating_2"] = x.roller.heating;
@@ -112,16 +113,15 @@ nlohmann::ordered_json scene_of_law(const Scene& x) {
   return o;
 }
 
-std::string told(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
-                 const std::string& mark) {
+std::string told(const CreepLaw& law, const nlohmann::ordered_json& scene,
+                 const std::optional<LawUnits>& units, const std::string& mark) {
   const LawUnits unit = units.value_or(LawUnits{});
-  const nlohmann::ordered_json given = scene_of_law(scene);
-  std::string text = mark + "Rolling contact by thermoroll:\n";
-  for (const auto& [key, value] : given.items())
+  std::string text = mark + "Rolling contact by thermoroll, dimensionless:\n";
+  for (const auto& [key, value] : scene.items())
     text += mark + "  " + key + " = " + value.dump() + '\n';
   if (units)
-    text += mark + "  speed = " + shortest(units->speed) +
-            " m/s, load = " + shortest(units->traction) + " N/m\n";
+    text += mark + "In SI units: speed = " + shortest(units->speed) +
+            " m/s, load = " + shortest(units->traction) + " N/m.\n";
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
                           "largest rise over the half-space's bulk in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
@@ -284,8 +284,7 @@ std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::st
   return text + modelica_algorithm + modelica_end;
 }
 
-std::string in_json(const CreepLaw& law, const LawUnits& unit, const Scene& scene) {
-  nlohmann::ordered_json o = scene_of_law(scene);
+std::string in_json(const CreepLaw& law, const LawUnits& unit, nlohmann::ordered_json o) {
   for (const auto& [name, number] : constants_of(law, unit)) o[name] = number;
   for (const LawTable& table : tables_of(law)) {
     const std::vector<int> counts(table.numbers.begin(), table.numbers.end());
@@ -343,8 +342,9 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
   return text;
 }
 
-std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
-                     Language language) {
+std::string law_text(const CreepLaw& law, const Scene& of, Formulation formulation,
+                     const std::optional<LawUnits>& units, Language language) {
+  const nlohmann::ordered_json scene = scene_of_law(of, formulation);
   const LawUnits unit = units.value_or(LawUnits{});
   const auto comment = [&](const char* mark) { return told(law, scene, units, mark); };
   if (language == Language::c) return in_c(law, unit, comment("// "));

@@ -17,8 +17,8 @@ inline constexpr Name<Language> language_names[] = {{"c", Language::c},
                                                     {"json", Language::json}};
 
 /// A law in a language, with its units where they are known.
-std::string law_text(const CreepLaw& law, const Scene& scene, const std::optional<LawUnits>& units,
-                     Language language);
+std::string law_text(const CreepLaw& law, const Scene& of, Formulation formulation,
+                     const std::optional<LawUnits>& units, Language language);
 
 /// The first and last creep xi*, where requested, and the number of rows.
 struct CurveRange {

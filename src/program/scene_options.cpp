@@ -200,7 +200,7 @@ Direction read_direction(const SceneOptions& o, const Prescribed& given) {
   if (o.direction.empty()) return Direction::driving;  // unless solve() finds a negative sign
   const Direction direction = value_of(direction_names, o.direction);
   const SceneOption& option = given_option(o);
-  if (has_sign && (o.bulk_difference.value_or(0) != 0 || two_bulks(o)))
+  if (has_sign && two_bulks(o))
     throw std::invalid_argument(
         std::string("--direction is for a given border where bulk temperatures differ: with ") +
         option.name + " it follows from the state without slip");
@@ -277,7 +277,7 @@ void check_law_options(const SceneOptions& o, bool si) {
     throw std::invalid_argument("data in SI units exclude --bulk-difference");
   if (o.bulk_temperature_2 && !o.bulk_temperature)
     throw std::invalid_argument("--bulk-temperature-2 needs --bulk-temperature");
-  if (two_bulks(o) && value_of(roller_names, o.roller) == RollerKind::insulated)
+  if (si && two_bulks(o) && value_of(roller_names, o.roller) == RollerKind::insulated)
     throw std::invalid_argument("--bulk-temperature-2 needs a --roller that conducts heat");
   if (si && o.friction_reference_temperature && !o.bulk_temperature)
     throw std::invalid_argument(
@@ -346,7 +346,7 @@ std::string meant(const std::string& word, const CLI::App& app) {
   else if (app.get_subcommands().empty())
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string own = word.substr(0, word.find('=')), name = nearest(own, names);
-  if (name == own) return " before the command: it goes behind it";
+  if (!own.empty() && name == own) return " (options follow the command, not --)";
   return name.empty() ? " (see --help)" : " (did you mean " + name + "?)";
 }
 

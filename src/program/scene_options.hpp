@@ -36,9 +36,10 @@ struct SceneOptions {
   Maybe tolerance;
 };
 
-/// Whether two bulk temperatures are given that differ.
+/// Whether two bulk temperatures that differ are given, or their difference.
 inline bool two_bulks(const SceneOptions& o) {
-  return o.bulk_temperature_2 && o.bulk_temperature_2 != o.bulk_temperature;
+  return o.bulk_difference.value_or(0) != 0 ||
+         (o.bulk_temperature_2 && o.bulk_temperature_2 != o.bulk_temperature);
 }
 
 /// Declare the options of a scene, which CLI11 will write to o.

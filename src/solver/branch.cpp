@@ -160,6 +160,8 @@ struct Highest {
   bool sticks;
 };
 
+Results results_at(const Highest& x) { return derivative(x.local, 0, x.rho); }
+
 /// None if the maximum is at an end, or at two samples.
 std::optional<Highest> highest_of(CurveSamples& x) {
   for (int k = 0;; ++k) {
@@ -196,12 +198,12 @@ Points around(CreepCurve& curve, const Highest& top, bool alone, double least, G
   const double rho_1 = std::abs(top.rho - 1), ends = std::min(top.rho, 2 - top.rho);
   const double from_1 = std::max(rho_1, least), close = std::min(1.5e-4, from_1 / 50);
   const double reach = alone ? std::min({0.03, from_1 / 2, ends / 4}) : close;
-  const double middle = top.sticks ? std::min(top.rho, 1 - reach) : std::max(top.rho, 1 + reach);
+  const double room = 1.125 * reach;
+  const double middle = top.sticks ? std::min(top.rho, 1 - room) : std::max(top.rho, 1 + room);
   const int places = alone ? 7 : 2;
   Points points;
   for (int i = 0; i < places; ++i) {
-    const double place = middle + reach * (2.0 * i / (places - 1) - 1);
-    const double rho = top.sticks ? std::min(place, 1 - 1e-9) : std::max(place, 1.0);
+    const double rho = middle + reach * (2.0 * i / (places - 1) - 1);
     near = solution_on(curve, rho, near);
     if (near.newton_steps == 0) break;
     points.push_back({rho, near});
@@ -214,6 +216,13 @@ double third_order(const Highest& top, const Points& two) {
   const double curvature = derivative(top.local, 2, top.rho)(traction);
   if (!(curvature < 0)) return half;
   return half * half / 6 * std::abs(derivative(top.local, 3, top.rho)(traction) / curvature);
+}
+
+/// Of a maximum that has moved so far since the grid before; none by seven points.
+Results error_of_place(const Highest& top, const Points& points, double moved) {
+  if (points.size() > 2) return Results::Zero();
+  const double bend = 1e-2 * std::abs(moved) + third_order(top, points);
+  return bend * derivative(top.local, 1, top.rho).abs();
 }
 
 const OnCurve& highest_point(const Points& points) {
@@ -236,7 +245,7 @@ Results error_of_law(const Highest& top, const Points& points, const Results& sc
   const double room = spacing(points), low = std::max(top.rho - room, top.sticks ? 0 : 1.0),
                high = std::min(top.rho + room, top.sticks ? 1 : 2.0);
   const double rho = top_of(local, low, high);
-  return of_kinks + (derivative(local, 0, rho) - derivative(top.local, 0, top.rho)).abs();
+  return of_kinks + (derivative(local, 0, rho) - results_at(top)).abs();
 }
 
 /// None finer if it is the same.
@@ -245,6 +254,8 @@ int finer_than(int n) {
   if (next <= most_unknowns) return next;
   return 4 * n <= 3 * most_unknowns ? most_unknowns : n;
 }
+
+bool is_next_to_full_slip(const Highest& x) { return std::abs(x.rho - 1) < 1e-3; }
 
 /// Move the maximum to that of these points; whether it is found there.
 bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
@@ -256,23 +267,37 @@ bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   const double room = alone ? spacing(points) : std::min(before, 2 - before) / 20;
   top.rho = top_of(top.local, std::max(place - room, top.sticks ? 0 : 1.0),
                    std::min(place + room, top.sticks ? 1 : 2.0));
-  return std::abs(top.rho - place) < 0.999 * room;
+  return std::abs(top.rho - place) < 0.999 * room && (alone || !is_next_to_full_slip(top));
 }
 
-double height(const Highest& x) { return derivative(x.local, 0, x.rho)(traction); }
-
-/// Whether the other side of full slip is not higher. If it is, move the maximum there.
-bool is_higher_side(CreepCurve& curve, Highest& top, const GridSolution& near) {
-  Highest other{top.local, 1, !top.sticks};
-  const Points beside = around(curve, other, true, 0.02, near);
-  if (beside.size() < 7) return true;
-  move_to(beside, other.local, other);
-  if (other.rho == 1 || height(other) <= height(top) * (1 + 1e-9)) return true;
-  top = other;
-  return false;
+/// But for rounding.
+bool is_flat(const Points& points) {
+  const double height = highest_point(points).traction();
+  return std::all_of(points.begin(), points.end(),
+                     [&](const OnCurve& x) { return x.traction() > height * (1 - 1e-14); });
 }
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The error by the other side of full slip: none if that is not higher, the difference of the
+/// results if it hardly is. Else it is infinite, and the maximum and its points are moved there, as
+/// they are to a range with the same traction.
+Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
+  if (points.size() < 7 || !is_next_to_full_slip(top)) return Results::Zero();
+  Highest other{top.local, 1, !top.sticks};
+  const Points beside = around(curve, other, true, 0.02, points[0].solution);
+  if (beside.size() < 7) return Results::Zero();
+  move_to(beside, other.local, other);
+  const Results higher = results_at(other) - results_at(top);
+  const double same = 1e-12 * std::abs(results_at(top)(traction));
+  const bool as_flat = is_flat(beside) && higher(traction) > -same;
+  if (!as_flat && (other.rho == 1 || higher(traction) <= 0)) return Results::Zero();
+  if (!as_flat && higher(traction) < same) return higher.abs();
+  top = other;
+  points = beside;
+  return Results::Constant(infinite);
+}
+
 constexpr TractionLimit unknown{0, 0, infinite, infinite};
 
 TractionLimit stated(const Results& at, const Results& error, const Results& least) {
@@ -280,32 +305,33 @@ TractionLimit stated(const Results& at, const Results& error, const Results& lea
           std::max(error(creep), least(creep))};
 }
 
-/// Errors may be above the tolerance on the finest grid. An unknown error is infinite.
-TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, GridSolution level) {
-  Results last = derivative(top.local, 0, top.rho), change = Results::Zero();
+/// None if a range of creeps has the largest traction. Errors may be above the tolerance on the
+/// finest grid. An unknown error is infinite.
+std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, Highest top,
+                                            GridSolution level) {
+  Results last = results_at(top), change = Results::Zero();
   const LocalCurve coarse = top.local;
-  double least = 1e-4;
   const bool exact = tolerance < 1e-7;
   bool alone = exact, inside = true;
   TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
-    alone = alone || n > 48 || !level.kinks.empty() || !inside;
-    const Points points = around(curve, top, alone, least, level);
+    alone = alone || n > 48 || !level.kinks.empty() || !inside || is_next_to_full_slip(top);
+    Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    inside = move_to(points, coarse, top) &&
-             (std::abs(top.rho - 1) > 1e-3 || is_higher_side(curve, top, points[0].solution));
-    const Results now = derivative(top.local, 0, top.rho), change_before = change;
+    if (is_flat(points)) return std::nullopt;
+    inside = move_to(points, coarse, top);
+    const Results of_side = error_of_side(curve, top, points);
+    const Results now = results_at(top), change_before = change;
     change = (now - last).abs();
     const GridSolution& near = points[0].solution;
-    const double bend = alone ? 0 : 1e-2 * std::abs(top.rho - before) + third_order(top, points);
     const bool kinked = std::any_of(points.begin(), points.end(), has_kinks);
     const double part = kinked ? 2 : part_with_law(level.h, near.h);
     if (kinked || exact) change = change.max(change_before / 8);
-    const Results of_place = bend * derivative(top.local, 1, top.rho).abs();
+    const Results of_place = error_of_place(top, points, top.rho - before);
     const Results scale = scale_in(curve.scene, now);
-    Results error = part * change + of_place + error_of_law(top, points, scale);
+    Results error = part * change + of_place + of_side + error_of_law(top, points, scale);
     const double of_height = scale(creep) * error(traction) / std::abs(now(traction));
     error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * std::max(error(creep), of_height);
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
@@ -313,9 +339,9 @@ TractionLimit traction_limit(CreepCurve curve, double tolerance, Highest top, Gr
     const bool flat = (kinked && n >= 90) || n == finer_than(n);
     const double rest = flat ? 0 : error(creep) / scale(creep);
     const double worst = std::max(error(traction), rest);
+    if (!alone && curve.scene.peclet * near.at.slip > 4e3) error(creep) *= 3;
     limit = known ? stated(now, error, tolerance / 10 * scale) : unknown;
     if (known && worst < tolerance) break;
-    least = inside ? 1e-4 : std::min(8 * least, 0.06);
     last = now;
     level = points[0].solution;
   }

@@ -353,8 +353,8 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
        units},
-      {x.creep_ratio < 0 ? "-creep_ratio" : "creep_ratio", std::abs(x.creep_ratio), 0.1,
-       "strains are not small there", "are all data in SI units and creeps no percentages?"},
+      {"creep_ratio", x.creep_ratio, 0.1, "strains are not small there",
+       "are all data in SI units and creeps no percentages?"},
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
@@ -362,9 +362,10 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
        1500, melts, units}};
   std::vector<std::string> notes;
   for (const auto& [name, value, most, meaning, question] : limits) {
-    if (!(value > most)) continue;
-    notes.push_back(std::string(name) + " = " + rounded(value, 3) + " is above " +
-                    rounded(most, 4) + " (" + meaning + "): " + question);
+    if (!(std::abs(value) > most)) continue;
+    notes.push_back(std::string(name) + " = " + rounded(value, 3) +
+                    (value > 0 ? " is above " : " is below -") + rounded(most, 4) + " (" + meaning +
+                    "): " + question);
   }
   return notes;
 }

@@ -87,7 +87,8 @@ struct FoundInSi {
   /// The largest temperature in the contact, degree C, if the bulk temperature is known. Its error
   /// is that of the rise.
   std::optional<double> contact_temperature_celsius{};
-  /// The largest traction, N/m, and its creep as a fraction of the speed, if there is a maximum.
+  /// The largest traction, N/m, and its creep as a fraction of the speed, if there is a maximum;
+  /// of a contact of this half-width.
   std::optional<Estimate> tangential_load_limit{}, creep_ratio_at_limit{};
 };
 
