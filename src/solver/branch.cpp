@@ -270,18 +270,21 @@ bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   return std::abs(top.rho - place) < 0.999 * room && (alone || !is_next_to_full_slip(top));
 }
 
-/// But for rounding.
-bool is_flat(const Points& points) {
-  const double height = highest_point(points).traction();
-  return std::all_of(points.begin(), points.end(),
-                     [&](const OnCurve& x) { return x.traction() > height * (1 - 1e-14); });
+bool is_flat(const Points& x) { return x[1].traction() > x[0].traction() * (1 - 1e-14); }
+
+/// Whether the largest traction is that of a range.
+bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
+  if (!top.sticks) return is_flat(points);
+  if (!is_next_to_full_slip(top)) return false;
+  const Points two = around(curve, {top.local, 1, false}, false, 1e-3, points[0].solution);
+  return two.size() == 2 && is_flat(two) &&
+         two[0].traction() > results_at(top)(traction) * (1 - 1e-9);
 }
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The error by the other side of full slip: none if that is not higher, the difference of the
-/// results if it hardly is. Else it is infinite, and the maximum and its points are moved there, as
-/// they are to a range with the same traction.
+/// results if it hardly is. Else it is infinite, and the maximum and its points are moved there.
 Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
   if (points.size() < 7 || !is_next_to_full_slip(top)) return Results::Zero();
   Highest other{top.local, 1, !top.sticks};
@@ -289,10 +292,8 @@ Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
   if (beside.size() < 7) return Results::Zero();
   move_to(beside, other.local, other);
   const Results higher = results_at(other) - results_at(top);
-  const double same = 1e-12 * std::abs(results_at(top)(traction));
-  const bool as_flat = is_flat(beside) && higher(traction) > -same;
-  if (!as_flat && (other.rho == 1 || higher(traction) <= 0)) return Results::Zero();
-  if (!as_flat && higher(traction) < same) return higher.abs();
+  if (other.rho == 1 || higher(traction) <= 0) return Results::Zero();
+  if (higher(traction) < 1e-12 * std::abs(results_at(top)(traction))) return higher.abs();
   top = other;
   points = beside;
   return Results::Constant(infinite);
@@ -320,8 +321,8 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    if (is_flat(points)) return std::nullopt;
     inside = move_to(points, coarse, top);
+    if (n >= 24 && is_range(curve, top, points)) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);
     const Results now = results_at(top), change_before = change;
     change = (now - last).abs();

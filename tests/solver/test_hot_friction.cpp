@@ -764,10 +764,13 @@ TEST(HotFriction, MaximumJustBeforeFullSlip) {
 // creeps has the largest traction, f p over all of it. Once it is that hot, the traction falls.
 // The same is true of a contact that is all at the floor. A coarse grid may see a maximum there.
 TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
-  Scene at_floor{0.177152407, 0.326617418, 2.20099376};
+  Scene cold{0.271394532, 0.583831826, 0.00035895657},
+      at_floor{0.177152407, 0.326617418, 2.20099376};
+  cold.law = linear_friction({2.58315289, 0.148888133, 0.126419749});
   at_floor.law = linear_friction({0.0360631249, 0.694993523});
-  for (const double tolerance : {1e-4, 1e-6, 1e-8})
-    EXPECT_FALSE(solve(at_floor, {Quantity::traction, 0.05}, tolerance).limit);
+  for (const Scene& other : {cold, at_floor})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
   const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));
   const CoupledSolution x = solve(scene, {Quantity::traction, 0.3}, 1e-6);
   EXPECT_FALSE(x.limit);
