@@ -283,6 +283,24 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
                  coupled.violations.empty() == best.violations.empty());
 }
 
+/// A creep near that of the largest traction, or in full slip, has no more of it.
+void examine_limit(const Record& record, const Sample& x, const CoupledSolution& found) {
+  if (!found.limit || x.scene.bulk_difference != 0) return;
+  const TractionLimit& limit = *found.limit;
+  for (const double share : {0.5, 0.9, 0.99, 1.0, 1.01, 1.1, 3.0}) {
+    CoupledSolution there;
+    try {
+      there = solve_coupled(x.scene, {x.formulation, x.tolerance}, {creep, share * limit.creep});
+    } catch (const std::runtime_error& error) {
+      record.beside("no solution about the largest traction", words_of(error.what()));
+      continue;
+    }
+    record.within("no creep has more than the largest traction",
+                  there.value(traction) - limit.traction,
+                  limit.traction_error + there.error(traction));
+  }
+}
+
 bool same_bits(const Results& a, const Results& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * Results::SizeAtCompileTime) == 0;
 }
@@ -663,6 +681,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
     examine_least_model(record, x, found);
     if (depth >= Depth::again) {
       examine_again(record, x, found);
+      examine_limit(record, x, found);
       if (number % 10 == 2) examine_in_si(record, x, found);
       examine_other_ways(record, number, x);
       if (x.scene.friction * heating_of_both(x.scene) <= 50) examine_error(record, x, found);
