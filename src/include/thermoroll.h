@@ -109,7 +109,7 @@ struct thermoroll_values {
 };
 
 /// Results of a scene in SI units, or their estimated absolute errors. Temperatures but the last
-/// are rises over the bulk temperature. The largest traction in N/m is the load's traction_limit.
+/// are rises over the bulk temperature. The largest traction in N/m is load times traction_limit.
 struct thermoroll_physical {
   double half_width, radius;            ///< a; R; m
   double creep_ratio;                   ///< xi, the creep as a fraction of the speed

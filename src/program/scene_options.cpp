@@ -346,7 +346,7 @@ std::string meant(const std::string& word, const CLI::App& app) {
   else if (app.get_subcommands().empty())
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string own = word.substr(0, word.find('=')), name = nearest(own, names);
-  if (!own.empty() && name == own) return " (options follow the command, not --)";
+  if (!own.empty() && name == own) return " (options stand after the command and before any --)";
   return name.empty() ? " (see --help)" : " (did you mean " + name + "?)";
 }
 
@@ -511,6 +511,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
 
 std::string reworded(const CLI::ParseError& error, const CLI::App& app) {
   const std::vector<std::string> unclaimed = app.remaining(true);
+  if (!unclaimed.empty() && unclaimed.front().empty()) return "unexpected \"\" (see --help)";
   if (!unclaimed.empty()) return "unexpected " + unclaimed.front() + meant(unclaimed.front(), app);
   const std::string text = error.what();
   const std::string first = text.substr(0, text.find_first_of(": "));

@@ -36,7 +36,7 @@ struct SceneOptions {
   Maybe tolerance;
 };
 
-/// Whether two bulk temperatures that differ are given, or their difference.
+/// Whether two bulk temperatures that differ are given, or a difference that is not zero.
 inline bool two_bulks(const SceneOptions& o) {
   return o.bulk_difference.value_or(0) != 0 ||
          (o.bulk_temperature_2 && o.bulk_temperature_2 != o.bulk_temperature);

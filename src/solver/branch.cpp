@@ -218,7 +218,7 @@ double third_order(const Highest& top, const Points& two) {
   return half * half / 6 * std::abs(derivative(top.local, 3, top.rho)(traction) / curvature);
 }
 
-/// Of a maximum that has moved so far since the grid before; none by seven points.
+/// Of a maximum that has moved so far since the grid before; zero for seven points.
 Results error_of_place(const Highest& top, const Points& points, double moved) {
   if (points.size() > 2) return Results::Zero();
   const double bend = 1e-2 * std::abs(moved) + third_order(top, points);
@@ -270,35 +270,58 @@ bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   return std::abs(top.rho - place) < 0.999 * room && (alone || !is_next_to_full_slip(top));
 }
 
-bool is_flat(const Points& x) { return x[1].traction() > x[0].traction() * (1 - 1e-14); }
+bool is_flat(const Points& points) {
+  const double height = highest_point(points).traction();
+  return std::all_of(points.begin(), points.end(),
+                     [&](const OnCurve& x) { return x.traction() > height * (1 - 1e-14); });
+}
 
 /// Whether the largest traction is that of a range.
 bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
-  if (!top.sticks) return is_flat(points);
+  if (!top.sticks) return points.size() == 7 && is_flat(points);
   if (!is_next_to_full_slip(top)) return false;
   const Points two = around(curve, {top.local, 1, false}, false, 1e-3, points[0].solution);
   return two.size() == 2 && is_flat(two) &&
          two[0].traction() > results_at(top)(traction) * (1 - 1e-9);
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+void begin_full_slip(const CreepCurve& curve, Highest& top) {
+  const GridSolution first = next_to_full_slip(curve.scene, curve.formulation, curve.n);
+  if (first.newton_steps == 0) return;
+  top.local.powers.row(0) += (first.value - results_at(top)).matrix();
+}
 
-/// The error by the other side of full slip: none if that is not higher, the difference of the
-/// results if it hardly is. Else it is infinite, and the maximum and its points are moved there.
+/// The error by the other side of full slip: none if that is not higher, else the difference of the
+/// results. If it is higher by more than rounding, the maximum and its points are moved there.
 Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
-  if (points.size() < 7 || !is_next_to_full_slip(top)) return Results::Zero();
+  const double near = curve.scene.bulk_difference == 0 ? 1e-3 : 0.1;
+  if (std::abs(top.rho - 1) > near) return Results::Zero();
+  if (top.rho == 1 && !top.sticks) begin_full_slip(curve, top);
   Highest other{top.local, 1, !top.sticks};
   const Points beside = around(curve, other, true, 0.02, points[0].solution);
   if (beside.size() < 7) return Results::Zero();
   move_to(beside, other.local, other);
-  const Results higher = results_at(other) - results_at(top);
-  if (other.rho == 1 || higher(traction) <= 0) return Results::Zero();
-  if (higher(traction) < 1e-12 * std::abs(results_at(top)(traction))) return higher.abs();
+  const GridSolution there = solution_on(curve, other.rho, highest_point(beside).solution);
+  if (there.newton_steps == 0) return Results::Zero();
+  const Results higher = there.value - results_at(top);
+  const double share = higher(traction) / std::abs(results_at(top)(traction));
+  if (share < (other.rho == 1 ? 1e-9 : 0)) return Results::Zero();
+  if (share < 1e-12) return higher.abs();
   top = other;
   points = beside;
-  return Results::Constant(infinite);
+  return higher.abs() + (results_at(top) - there.value).abs();
 }
 
+Results error_of_corner(CreepCurve& curve, const Highest& top, const Points& points) {
+  if (!is_next_to_full_slip(top)) return Results::Zero();
+  const GridSolution near = highest_point(points).solution, all = solution_on(curve, 1, near);
+  const GridSolution some = top.sticks ? near : solution_on(curve, 1 - 1.25e-3, near);
+  const bool solved = all.newton_steps > 0 && some.newton_steps > 0;
+  if (!solved || all.kinks.empty() == some.kinks.empty()) return Results::Zero();
+  return (all.value - some.value).abs();
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr TractionLimit unknown{0, 0, infinite, infinite};
 
 TractionLimit stated(const Results& at, const Results& error, const Results& least) {
@@ -306,8 +329,19 @@ TractionLimit stated(const Results& at, const Results& error, const Results& lea
           std::max(error(creep), least(creep))};
 }
 
+double error_of_creep(const Results& now, const Results& error, const Results& scale) {
+  const double of_height = scale(creep) * error(traction) / std::abs(now(traction));
+  return std::max(error(creep), of_height);
+}
+
+double worst_of(const Results& error, const Results& scale, int n, bool kinked) {
+  const bool flat = (kinked && n >= 90) || n == finer_than(n);
+  return std::max(error(traction), flat ? 0 : error(creep) / scale(creep));
+}
+
 /// None if a range of creeps has the largest traction. Errors may be above the tolerance on the
-/// finest grid. An unknown error is infinite.
+/// finest grid, that of the creep thrice so at high speed, and next to a corner of the curve. An
+/// unknown error is infinite.
 std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, Highest top,
                                             GridSolution level) {
   Results last = results_at(top), change = Results::Zero();
@@ -322,7 +356,8 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
     inside = move_to(points, coarse, top);
-    if (n >= 24 && is_range(curve, top, points)) return std::nullopt;
+    const bool range = is_range(curve, top, points);
+    if (range && n > 40) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);
     const Results now = results_at(top), change_before = change;
     change = (now - last).abs();
@@ -333,18 +368,17 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     const Results of_place = error_of_place(top, points, top.rho - before);
     const Results scale = scale_in(curve.scene, now);
     Results error = part * change + of_place + of_side + error_of_law(top, points, scale);
-    const double of_height = scale(creep) * error(traction) / std::abs(now(traction));
-    error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * std::max(error(creep), of_height);
+    error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * error_of_creep(now, error, scale);
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
-    const bool known = resolved && inside && error.isFinite().all();
-    const bool flat = (kinked && n >= 90) || n == finer_than(n);
-    const double rest = flat ? 0 : error(creep) / scale(creep);
-    const double worst = std::max(error(traction), rest);
+    const bool known = resolved && inside && !range && error.isFinite().all();
+    const double worst = worst_of(error, scale, n, kinked);
     if (!alone && curve.scene.peclet * near.at.slip > 4e3) error(creep) *= 3;
+    error += error_of_corner(curve, top, points);
     limit = known ? stated(now, error, tolerance / 10 * scale) : unknown;
     if (known && worst < tolerance) break;
     last = now;
     level = points[0].solution;
+    alone = points.size() > 2;
   }
   return limit;
 }

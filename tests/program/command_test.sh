@@ -1328,10 +1328,10 @@ NearestNames() {
   refuses 2 "unexpected --fricton=0.6 (did you mean --friction?)" solve --fricton=0.6
   refuses 2 "unexpected --tolerence (did you mean --tolerance?)" solve "${paper_scene[@]}" --tolerence 1e-3
   refuses 2 "unexpected --confg (did you mean --config?)" solve --confg wheel.toml
-  refuses 2 "unexpected --creep (options follow the command, not --)" --creep 0.1 solve "${paper_scene[@]}"
-  refuses 2 "unexpected  (see --help)" solve ""
+  refuses 2 "unexpected --creep (options stand after the command and before any --)" --creep 0.1 solve "${paper_scene[@]}"
+  refuses 2 "unexpected \"\" (see --help)" solve ""
   refuses 2 "unexpected =5 (see --help)" solve "${paper_scene[@]}" =5
-  refuses 2 "unexpected --creep (options follow the command, not --)" solve "${paper_scene[@]}" -- --creep 0.1
+  refuses 2 "unexpected --creep (options stand after the command and before any --)" solve "${paper_scene[@]}" -- --creep 0.1
   refuses 2 "unexpected --nonsense (see --help)" solve --nonsense 1
   refuses 2 "unexpected sovle (did you mean solve?)" sovle "${paper_scene[@]}"
   refuses 2 "unexpected solv (did you mean solve?)" solv
@@ -1761,8 +1761,8 @@ LawTellsItsScene() {
   local key
   for key in friction peclet heating formulation conductivity_ratio heating_2 peclet_2 bulk_difference friction_law \
     friction_temperature friction_floor friction_reference_temperature; do
-    grep -q "^ *\"$key\": .*$(value $key)" law.json || fail "$key: $(head -12 law.json)"
-    grep -q "^//   $key = .*$(value $key)" law.c || fail "$key: $(head -12 law.c)"
+    [ "$(value $key)" ] && grep -q "^ *\"$key\": \"\{0,1\}$(value $key)\"\{0,1\},$" law.json || fail "$key: $(head -12 law.json)"
+    grep -q "^//   $key = \"\{0,1\}$(value $key)\"\{0,1\}$" law.c || fail "$key: $(head -12 law.c)"
   done
   law_in c law.c "${wheel[@]}" --tolerance 1e-2
   grep -qx "// In SI units: speed = 22.2 m/s, load = 1.2e+07 N/m." law.c || fail "$(head -12 law.c)"

@@ -287,16 +287,16 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
 void examine_limit(const Record& record, const Sample& x, const CoupledSolution& found) {
   if (!found.limit || x.scene.bulk_difference != 0) return;
   const TractionLimit& limit = *found.limit;
-  for (const double share : {0.5, 0.9, 0.99, 1.0, 1.01, 1.1, 3.0}) {
+  for (const double share : {0.5, 0.9, 0.99, 0.999, 0.9997, 1.0, 1.0003, 1.01, 1.1, 3.0}) {
     CoupledSolution there;
     try {
       there = solve_coupled(x.scene, {x.formulation, x.tolerance}, {creep, share * limit.creep});
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       record.beside("no solution about the largest traction", words_of(error.what()));
       continue;
     }
     record.within("no creep has more than the largest traction",
-                  there.value(traction) - limit.traction,
+                  std::max(0.0, there.value(traction) - limit.traction),
                   limit.traction_error + there.error(traction));
   }
 }

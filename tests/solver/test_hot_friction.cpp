@@ -726,6 +726,67 @@ TEST(HotFriction, MaximumNextToFullSlipHasItsCreep) {
   expect_maximum_next_to_full_slip({0.17164747068, 1.28211871, 1.90125801}, 998.753298);
 }
 
+// With a bulk difference the curve turns back and rises steeply just before all slips. The maximum
+// before that was taken for the largest traction, which was 60 times its error too low. A smaller
+// creep leaves a stick zone.
+TEST(HotFriction, MaximumIsWhereFullSlipBegins) {
+  Scene scene{0.0750253377, 2015.82585, 0.234947486, {2.87309, 0.302133272, 27270.3533}};
+  scene.bulk_difference = 7.35253124e-5;
+  scene.direction = Direction::braking;
+  scene.law = linear_friction({0.00625313256, 0.634546205, 4.48579557e-6});
+  const auto x = solve(scene, {Quantity::traction, 0.3 * scene.friction}, 1e-6).limit;
+  ASSERT_TRUE(x);
+  const auto first = thermoroll::next_to_full_slip(scene, Formulation::corrected, 192).value;
+  EXPECT_NEAR(x->creep, first(Quantity::creep), x->creep_error);
+  for (const double share : {1 - 3e-6, 1 + 3e-6}) {
+    const CoupledSolution y = at_creep(scene, share * x->creep, 1e-6);
+    EXPECT_EQ(y.value(Quantity::stick_slip_border) == -1, share > 1);
+    EXPECT_LT(y.value(Quantity::traction), x->traction + x->traction_error);
+    EXPECT_TRUE(share < 1 || y.value(Quantity::traction) > x->traction * (1 - 1e-5));
+  }
+}
+
+// Friction that rises and falls has its maximum inside full slip. It was taken for a range.
+TEST(HotFriction, MaximumInsideFullSlipIsFound) {
+  const auto bump = [](double temperature) {
+    const double u = temperature / 0.02, e = 0.2 * std::exp(1 - u);
+    return RelativeFriction{1 + u * e, (1 - u) * e / 0.02};
+  };
+  Scene scene{0.5, 200, 0.01};
+  scene.law = bump;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    const auto x = solve(scene, {Quantity::traction, 0.2}, tolerance).limit;
+    ASSERT_TRUE(x);
+    for (const double share : {0.95, 1.0, 1.05}) {
+      const CoupledSolution y = at_creep(scene, share * x->creep, 1e-9);
+      EXPECT_EQ(y.value(Quantity::stick_slip_border), -1);
+      const double more = y.value(Quantity::traction) - x->traction;
+      const double error = x->traction_error + y.error(Quantity::traction);
+      EXPECT_LT(more, error);
+      EXPECT_TRUE(share != 1 || more > -error);
+    }
+  }
+}
+
+// The contact reaches the reference temperature just before all slips. The curve has a corner
+// between the points and full slip, and the errors reach from one to the other. The maximum is at
+// the creep that is given here, by solutions for many creeps.
+TEST(HotFriction, ErrorsReachOverACornerNextToFullSlip) {
+  Scene shortly{0.3, 30, 0.05}, before{0.297475581, 1.14430970387, 1.182155623494};
+  shortly.direction = Direction::braking;
+  shortly.law = exponential_friction({0.1144153068636, 0, 0.022880773066588});
+  before.law = rational_friction({0.0073554834756715, 0.332136323926807, 0.0946066321282024});
+  for (const auto& [scene, creep] : {std::pair{shortly, 0.1917305}, {before, 0.175535}})
+    for (const double tolerance : {1e-4, 1e-8}) {
+      const auto x = solve(scene, {Quantity::traction, 0.12}, tolerance).limit;
+      ASSERT_TRUE(x);
+      const CoupledSolution y = at_creep(scene, creep, 1e-8);
+      EXPECT_NEAR(creep, x->creep, x->creep_error);
+      EXPECT_NEAR(y.value(Quantity::traction), x->traction,
+                  x->traction_error + y.error(Quantity::traction));
+    }
+}
+
 // At high speed the graded rules of coarse grids shift the place of the maximum, which was 2.6 and
 // 2.9 times its stated error off. A grid of 96 unknowns has other rules.
 TEST(HotFriction, MaximumAtHighSpeedIsWithinItsErrors) {
@@ -768,7 +829,9 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
       at_floor{0.177152407, 0.326617418, 2.20099376};
   cold.law = linear_friction({2.58315289, 0.148888133, 0.126419749});
   at_floor.law = linear_friction({0.0360631249, 0.694993523});
-  for (const Scene& other : {cold, at_floor})
+  Scene shortly{0.3, 30, 0.05};
+  shortly.law = linear_friction({0.0113365791, 0.3, 0.0228998898});
+  for (const Scene& other : {cold, at_floor, shortly})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
   const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));

@@ -768,7 +768,8 @@ TEST(Solution, DissipationIsTheWorkOfTheCreepWithoutHeat) {
 
 // A result is noted by its name exactly where it is beyond its limit, typed again here; the cases
 // are drawn about the limits, so that each is met from both sides often. Half of them brake, and
-// half have a bulk temperature, which may be cold enough for a molten rise to be none.
+// half have a bulk temperature, with which a rise above 1500 degrees may be no melting, and less
+// may be.
 TEST(Solution, NotesBeginAtTheLimits) {
   std::mt19937 generator(11);
   const auto log_uniform = [&](double low, double high) {
