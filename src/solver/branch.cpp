@@ -440,6 +440,10 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
   return level;
 }
 
+bool is_unknown_far_above(const TractionLimit& limit, const OnCurve& highest, double asked) {
+  return !std::isfinite(limit.traction_error) && asked < 0.9 * highest.traction();
+}
+
 void refuse_near(const TractionLimit& limit, double asked, double tolerance) {
   const double error = limit.traction_error, apart = std::abs(asked - limit.traction);
   if (error <= tolerance || apart > 2 * error) return;
@@ -480,6 +484,7 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
   if (top) limit = traction_limit(x.curve, approach.tolerance, *top, highest.solution);
+  if (limit && is_unknown_far_above(*limit, highest, asked)) limit.reset();
   if (limit) refuse_near(*limit, asked, approach.tolerance);
   refuse_beyond(x.points, limit, branch, asked, sign_of(scene.direction));
   const auto [level, local] =

@@ -787,6 +787,18 @@ TEST(HotFriction, ErrorsReachOverACornerNextToFullSlip) {
     }
 }
 
+// Friction that rises strongly in strong heat has a maximum that no grid resolves. A traction far
+// below is solved for, as its creep is, and one that may be beyond is refused.
+TEST(HotFriction, ATractionFarBelowAnUnknownMaximumIsSolved) {
+  Scene scene{0.277693411, 164.124539, 27.5544783, {1, 27.5544783}};
+  scene.law = linear_friction({-0.0232672693, 0, 0.0028136947});
+  const CoupledSolution x = solve(scene, {Quantity::traction, 1e-3}, 1e-6);
+  EXPECT_FALSE(x.limit);
+  const CoupledSolution y = at_creep(scene, x.value(Quantity::creep), 1e-6);
+  EXPECT_NEAR(y.value(Quantity::traction), 1e-3, 2 * y.error(Quantity::traction) + 1e-9);
+  EXPECT_THROW(solve(scene, {Quantity::traction, 0.28}, 1e-6), thermoroll::NotResolved);
+}
+
 // At high speed the graded rules of coarse grids shift the place of the maximum, which was 2.6 and
 // 2.9 times its stated error off. A grid of 96 unknowns has other rules.
 TEST(HotFriction, MaximumAtHighSpeedIsWithinItsErrors) {
