@@ -351,7 +351,8 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
   TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
-    alone = alone || n > 48 || !level.kinks.empty() || !inside || is_next_to_full_slip(top);
+    alone = alone || n > 48 || !level.kinks.empty() || !inside || !top.sticks;
+    alone = alone || is_next_to_full_slip(top);
     Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;

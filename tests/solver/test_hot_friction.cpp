@@ -843,7 +843,9 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
   at_floor.law = linear_friction({0.0360631249, 0.694993523});
   Scene shortly{0.3, 30, 0.05};
   shortly.law = linear_friction({0.0113365791, 0.3, 0.0228998898});
-  for (const Scene& other : {cold, at_floor, shortly})
+  Scene rises{0.897498605, 1.05882243, 0.0607008444};
+  rises.law = piecewise_linear_friction({0.145526793, 1.40665339});
+  for (const Scene& other : {cold, at_floor, shortly, rises})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
   const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));
@@ -855,6 +857,22 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
   const CoupledSolution constant = solve(hot(100, 0.0175, {}), {Quantity::traction, 0.3}, 1e-6);
   EXPECT_NEAR(x.value(Quantity::creep), constant.value(Quantity::creep),
               x.error(Quantity::creep) + constant.error(Quantity::creep));
+}
+
+// On 40 unknowns all slips from a creep of 1.2298 on, on finer grids from 1.2548 on. In between the
+// contact was taken for one in full slip that slips backward.
+TEST(HotFriction, CreepBeforeFullSlipHasABorder) {
+  Scene scene{1.375910456, 164.703241, 0.890791233};
+  scene.direction = Direction::braking;
+  scene.law = exponential_friction({1.61286142, 0.369948909});
+  const CoupledSolution first = thermoroll::solve_coupled(scene, {Formulation::corrected, 1e-6},
+                                                          {Quantity::stick_slip_border, -0.98});
+  const double creep = first.value(Quantity::creep);
+  EXPECT_NEAR(creep, 1.24008, 1e-5);
+  const CoupledSolution x = at_creep(scene, creep, 1e-6);
+  EXPECT_TRUE(x.violations.empty());
+  EXPECT_NEAR(x.value(Quantity::stick_slip_border), -0.98,
+              x.error(Quantity::stick_slip_border) + first.error(Quantity::creep));
 }
 
 // Each grid has a fifth more unknowns than the last at least: closer ones agree too well. Scenes of
