@@ -275,25 +275,52 @@ Peaks scheme_peaks(const PublishedSolution& x, double friction) {
   return peak;
 }
 
+/// Through the best point and those beside it; of that at an end, its value.
+double parabola_top(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, Eigen::Index best) {
+  if (best == 0 || best == x.size() - 1) return y(best);
+  const double before = x(best - 1) - x(best), after = x(best + 1) - x(best);
+  const double left = (y(best - 1) - y(best)) / before, right = (y(best + 1) - y(best)) / after;
+  const double bend = (left - right) / (before - after), slope = left - bend * before;
+  return y(best) - (bend < 0 ? slope * slope / (4 * bend) : 0);
+}
+
 /// The largest value of a curve and where it is.
 struct Top {
   double at, value;
 };
 
-/// The maximum of a curve on -1 <= x <= 1 by so many points, which are dense towards the ends.
-/// About the best of them the search continues with nine at a time, until they are so close that
-/// the curve is flat.
+/// The maximum of a curve on -1 <= x <= 1, of which the values y at these points are known.
 template <class Curve>
-Top top(Eigen::Index points, const Curve& curve) {
-  Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
-  for (;;) {
+Top top(Eigen::ArrayXd x, Eigen::ArrayXd y, const Curve& curve) {
+  for (double last = 0;;) {
     Eigen::Index best = 0;
-    const double value = curve(x).maxCoeff(&best);
+    y.maxCoeff(&best);
+    const double value = parabola_top(x, y, best);
     const double low = x(std::max<Eigen::Index>(best - 1, 0));
     const double high = x(std::min(best + 1, x.size() - 1));
-    if (high - low < 1e-8) return {x(best), value};
+    if (std::abs(value - last) <= 1e-14 * std::abs(value) || high - low < 1e-8)
+      return {x(best), value};
+    last = value;
     x = Eigen::ArrayXd::LinSpaced(9, low, high);
+    y = curve(x);
   }
+}
+
+/// From one set of series to another, in the zone of each peak.
+Peaks largest_change(const SmoothTractions& from, const SmoothTractions& to, double friction) {
+  const Eigen::Index points = 4 * std::max(from.h.size(), from.bracket.size()) + 1;
+  const Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
+  const Curves a = curves_at(x, from, friction), b = curves_at(x, to, friction);
+  const auto change = [&](Eigen::ArrayXd Curves::*what) {
+    const Eigen::ArrayXd moved = (a.*what - b.*what).abs();
+    return (a.*what > 0.99 * (a.*what).maxCoeff()).select(moved, 0).maxCoeff();
+  };
+  const auto of = [&](Eigen::ArrayXd Curves::*slip, Eigen::ArrayXd Curves::*stick) {
+    const double inside = from.stick > 0 ? (a.*stick).tail(points - 1).maxCoeff() : 0;
+    return change(inside > (a.*slip).maxCoeff() ? stick : slip);
+  };
+  return {of(&Curves::slip_pressure, &Curves::stick_pressure),
+          of(&Curves::slip_traction, &Curves::stick_traction), change(&Curves::heat_flux)};
 }
 
 FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
@@ -301,15 +328,20 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   const double f = x.scene.friction, half = found.value(slip_length) / 2;
   CoupledSolution hot = found;
   hot.scene = x.scene;  // with heat, which the closed form leaves out
-  const auto on = [&](int grid) { return largest(smooth_tractions(hot, grid), f); };
-  const bool closed = x.model == Model::closed_form;
   const bool better = other > n && x.model == Model::coupled;
-  const Carter carter{f, 1 - half, half, found.value(stick_slip_border), found.value(creep)};
-  const Peaks own = closed ? carter_peaks(carter) : on(n), changed = on(other);
+  const SmoothTractions changed_by = smooth_tractions(hot, other);
+  const Peaks changed = largest(changed_by, f);
+  Peaks own = carter_peaks({f, 1 - half, half, found.value(stick_slip_border), found.value(creep)});
+  Peaks beside{};
+  if (x.model != Model::closed_form) {
+    const SmoothTractions by = smooth_tractions(hot, n);
+    own = largest(by, f);
+    beside = largest_change(by, changed_by, f);
+  }
   const Results relative = *x.error / scale_in(x.scene, x.value);
   const double e = std::max(relative(heat_integral), relative(max_temperature));
   const auto error = [&](double Peaks::*what) {
-    return 2 * std::abs(changed.*what - own.*what) + e * own.*what;
+    return 2 * std::max(std::abs(changed.*what - own.*what), beside.*what) + e * own.*what;
   };
   const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
   return {better ? changed : own, errors};
@@ -389,9 +421,11 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
 
 Peaks largest(const SmoothTractions& by, double friction) {
   const Eigen::Index points = 4 * std::max(by.h.size(), by.bracket.size()) + 1;
+  const Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
+  const Curves all = curves_at(x, by, friction);
   const auto highest = [&](Eigen::ArrayXd Curves::*what) {
-    return top(points, [&](const Eigen::ArrayXd& x) -> Eigen::ArrayXd {
-      return curves_at(x, by, friction).*what;
+    return top(x, all.*what, [&](const Eigen::ArrayXd& close) -> Eigen::ArrayXd {
+      return curves_at(close, by, friction).*what;
     });
   };
   const Top p = highest(&Curves::slip_pressure), flux = highest(&Curves::heat_flux);

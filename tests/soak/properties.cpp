@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <functional>
@@ -638,8 +639,11 @@ void Record::outcome(const std::string& what) const { ++totals_.outcomes[what]; 
 void Record::compared(double tolerance, double excess) const {
   Compared& all = totals_.compared[static_cast<int>(std::floor(std::log10(tolerance)))];
   ++all.scenes;
-  if (!(excess <= 1)) ++all.beyond;
   all.worst = std::max(all.worst, excess);
+  if (excess <= 1) return;
+  ++all.beyond;
+  std::fprintf(stderr, "%.3g times its estimate in scene %llu: %s\n", excess,
+               static_cast<unsigned long long>(number_), scene_.c_str());
 }
 
 void Record::beside(const std::string& what, const std::string& why) const {

@@ -65,7 +65,7 @@ class Record {
   void within(const char* property, double deviation, double allowed) const;
   /// What became of the scene.
   void outcome(const std::string& what) const;
-  /// A true error, in units of its estimate, of a solution to that tolerance.
+  /// A true error, in units of its estimate, of a solution to that tolerance; a larger one is told.
   void compared(double tolerance, double excess) const;
   /// What could not be looked at, and why.
   void beside(const std::string& what, const std::string& why) const;
