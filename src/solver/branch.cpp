@@ -257,6 +257,8 @@ int finer_than(int n) {
 
 bool is_next_to_full_slip(const Highest& x) { return std::abs(x.rho - 1) < 1e-3; }
 
+bool needs_more_points(const Highest& x) { return !x.sticks || is_next_to_full_slip(x); }
+
 /// Move the maximum to that of these points; whether it is found there.
 bool move_to(const Points& points, const LocalCurve& coarse, Highest& top) {
   const double before = top.rho;
@@ -351,8 +353,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
   TractionLimit limit = unknown;
   for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
-    alone = alone || n > 48 || !level.kinks.empty() || !inside || !top.sticks;
-    alone = alone || is_next_to_full_slip(top);
+    alone = alone || n > 48 || !level.kinks.empty() || !inside || needs_more_points(top);
     Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
