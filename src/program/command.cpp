@@ -290,6 +290,27 @@ AllCreeps read_all_creeps(SceneOptions o) {
           c.physical};
 }
 
+std::string rounded_towards_zero(double x) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%.4g", x * (1 - 5e-4));
+  return digits;
+}
+
+/// Of a curve that was to go from one creep to another.
+std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double to,
+                                       const std::optional<LawUnits>& units) {
+  std::vector<std::string> notes;
+  for (const double creep : {from, to}) {
+    const auto& [half, sign, size] = side_of(law, creep);
+    if (size <= half.last_creep) continue;
+    const double last = law.no_slip_creep + sign * half.last_creep;
+    notes.push_back(
+        (units ? "the curve ends at the creep ratio " : "the curve ends at the creep ") +
+        rounded_towards_zero(last * (units ? units->creep : 1)) + ": " + half.reason);
+  }
+  return notes;
+}
+
 constexpr double law_tolerance = 1e-4;
 
 void run_law(const Options& o) {
@@ -299,6 +320,8 @@ void run_law(const Options& o) {
   deliver({{law_text(law, c.scene, c.formulation, c.units, value_of(language_names, o.language)),
             o.output}});
   say_reference(o.of_scene);
+  const double far = 20 * c.scene.friction / pi;
+  print_notes(notes_on_ends(law, -far, far, c.units));
   if (c.physical) print_notes(notes_on(*c.physical, 0, 0));
 }
 
@@ -310,18 +333,12 @@ struct CurveEnd {
 };
 
 CurveEnd end_of(const std::string& name, const Maybe& creep, const Maybe& ratio,
-                const std::optional<LawUnits>& units) {
-  if (!ratio) return {name, 1, creep};
+                const Maybe& other_ratio, const std::optional<LawUnits>& units) {
+  if (!ratio && (creep || !other_ratio || !units)) return {name, 1, creep};
   if (creep)
     throw std::invalid_argument("--" + name + " and --" + name + "-ratio exclude each other");
   if (!units) throw std::invalid_argument("for data in SI units only: --" + name + "-ratio");
   return {name + "-ratio", 1 / units->creep, ratio};
-}
-
-std::string rounded_towards_zero(double x) {
-  char digits[16];
-  std::snprintf(digits, sizeof digits, "%.4g", x * (1 - 5e-4));
-  return digits;
 }
 
 /// The end, or where the curve ends before if it is not given.
@@ -348,32 +365,17 @@ std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<doub
   return notes_on(si, creep, rise);
 }
 
-/// Where a curve ends that was not asked to.
-std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double to,
-                                       const std::optional<LawUnits>& units) {
-  std::vector<std::string> notes;
-  for (const double creep : {from, to}) {
-    const auto& [half, sign, size] = side_of(law, creep);
-    if (size <= half.last_creep) continue;
-    const double last = law.no_slip_creep + sign * half.last_creep;
-    notes.push_back(
-        (units ? "the curve ends at the creep ratio " : "the curve ends at the creep ") +
-        rounded_towards_zero(last * (units ? units->creep : 1)) + ": " + half.reason);
-  }
-  return notes;
-}
-
 void run_creep_curve(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   check(c.scene);
   require(2 <= o.points && o.points <= 100000, "points", o.points, "from 2 to 100000");
   const double far = 6 * c.scene.friction / pi;
-  const CurveEnd first_end = end_of("from", o.from, o.from_ratio, c.units),
-                 last_end = end_of("to", o.to, o.to_ratio, c.units);
+  const CurveEnd first_end = end_of("from", o.from, o.from_ratio, o.to_ratio, c.units),
+                 last_end = end_of("to", o.to, o.to_ratio, o.from_ratio, c.units);
   const double from = first_end.asked ? *first_end.asked * first_end.unit : -far,
                to = last_end.asked ? *last_end.asked * last_end.unit : far;
-  require(from < to, first_end.name, first_end.asked.value_or(from),
-          "below --" + last_end.name + ", " + shortest(last_end.asked.value_or(to)));
+  require(from < to, first_end.name, from / first_end.unit,
+          "below --" + last_end.name + ", " + shortest(to / last_end.unit));
   const CreepLaw law =
       creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), {from, to});
   const CurveRange range{bound(first_end, from, law), bound(last_end, to, law), o.points};

@@ -173,7 +173,9 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   const int sticks = from_z[k] < 1;
   *traction = traction_unit * (sticks ? no_slip_traction + sign * size * q : sign * q);
   *slope = traction_unit / creep_unit *
-           (sticks ? q + z * per_z * by_x / 2 : unit / size / size * per_z * by_x);
+           (!sticks         ? unit / size / size * per_z * by_x
+            : z < from_z[k] ? q
+                            : q + z * per_z * by_x / 2);
   *temperature = temperature_unit * t * (sticks ? 1 : size / unit);
   return 0;
 }
@@ -215,7 +217,9 @@ def creep_law(creep):
     q, by_x = series(traction_terms[terms * k:terms * (k + 1)], x)
     t = max(coldest, series(temperature_terms[terms * k:terms * (k + 1)], x)[0])
     if from_z[k] < 1:
-        traction, slope = no_slip_traction + sign * size * q, q + z * per_z * by_x / 2
+        traction, slope = no_slip_traction + sign * size * q, q
+        if z > from_z[k]:
+            slope += z * per_z * by_x / 2
     else:
         traction, slope, t = sign * q, unit / size / size * per_z * by_x, t * size / unit
     return traction_unit * traction, traction_unit / creep_unit * slope, temperature_unit * t, 0
@@ -261,7 +265,7 @@ algorithm
 
 constexpr const char* modelica_end = R"(    if from_z[k] < 1 then
       traction := traction_unit * (no_slip_traction + way * distance * q);
-      slope := traction_unit / creep_unit * (q + z * per_z * by_x / 2);
+      slope := traction_unit / creep_unit * (if z < from_z[k] then q else q + z * per_z * by_x / 2);
       temperature := temperature_unit * t;
     else
       traction := traction_unit * way * q;

@@ -73,6 +73,8 @@ GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   if (near.h.size() > n) near.h.conservativeResize(n);
   GridSolution x = from(near);
   if (x.newton_steps == 0) x = from({});
+  const GridSolution again = misses_kink(x) ? from(x) : x;
+  if (again.newton_steps > 0) x = again;
   forget_the_edge(x, 0.005);
   if (x.newton_steps > 0) x.value(Quantity::max_temperature) = hottest(curve, x);
   return x;
@@ -101,7 +103,7 @@ struct LawPoint {
   const LawGrid* grid = law_grids.data();
 };
 
-constexpr const char* not_resolved = "the solution is not resolved";
+constexpr const char* not_resolved = "the solution is not resolved (a larger tolerance may go on)";
 constexpr const char* not_asked = "no more was asked for";
 constexpr const char* turns_back = "the creep turns back";
 
@@ -219,13 +221,14 @@ bool rises(const std::array<Stored, law_terms>& y) {
 Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
                 GridSolution near) {
   const auto [n, finer] = grid;
-  bool solved = true;
+  bool solved = true, smooth = x.curve.scene.bulk_difference == 0;
   const auto at = [&](int unknowns, double k, GridSolution& last) {
     const double w = law_node(from, to, k);
     if (w > 0) {
       const GridSolution there = solution_at(x.curve, unknowns, w, last);
       if (there.newton_steps > 0) last = there;
       solved = solved && there.newton_steps > 0;
+      smooth = smooth && there.kinks.empty();
     }
     return stored(x, to <= 1, w, last);
   };
@@ -233,7 +236,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
   for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k), near);
   Trial trial{fitted(y), 0.2 * x.tolerance, LawErrors::Zero()};
   GridSolution near_finer = near;
-  const double step = x.curve.scene.bulk_difference == 0 ? 3 : 1;
+  const double step = smooth ? 3 : 1;
   for (double k = 9.5; k > 0; k -= step) {
     const Stored fine = at(finer, k, near_finer);
     trial.error = trial.error.max(missed(trial.piece, to <= 1, fine));
@@ -423,8 +426,9 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
   const double rise = std::max(law.coldest, clenshaw(piece.temperature, x).value);
   if (slips_partially(piece)) {
     const double slip_length = z * z * clenshaw(piece.slip_length, x).value;
-    return LawValue{law.no_slip_traction + sign * size * q.value, q.value + z * per_z * q.slope / 2,
-                    rise, 1 - slip_length};
+    const double bend = z < piece.from ? 0 : z * per_z * q.slope / 2;
+    return LawValue{law.no_slip_traction + sign * size * q.value, q.value + bend, rise,
+                    1 - slip_length};
   }
   return LawValue{sign * q.value, unit / (size * size) * per_z * q.slope, rise * size / unit, -1};
 }

@@ -304,7 +304,7 @@ BulkExchange solve_bulk(const Scene& scene, int n) {
   bulk.rest.creep = z.over_root.dot(strain) / pi;
   bulk.rest.traction = z.over_root.cwiseProduct(z.s.matrix()).dot(strain);
   const double least = 0.4 * std::pow(n, -5);
-  const double part = (tail(bulk.flux) + tail(bulk.strain) / 200 + least) / 2;
+  const double part = tail(bulk.flux) + tail(bulk.strain) / 200 + least;
   bulk.rest.traction_error = part * std::abs(bulk.rest.traction);
   bulk.rest.creep_error = part * std::abs(bulk.rest.creep);
   bulk.temperature_error = tail(bulk.temperature) / 4 + least;

@@ -272,13 +272,15 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
 
 GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
   const auto with = [&](double stick, const GridSolution& from) {
-    return solve_on_grid(scene, formulation, n, {2 - stick, stick}, from);
+    return solve_on_grid(scene, formulation, n, {2 - stick, stick, about_kinks(from, n)}, from);
   };
   GridSolution level = with(1e-6, {});
-  if (level.newton_steps > 0) return level;
-  for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
-    level = with(stick, level);
-  return level;
+  if (level.newton_steps == 0)
+    for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+      level = with(stick, level);
+  if (level.kinks.empty()) return level;
+  const GridSolution again = with(1e-6, level);
+  return again.newton_steps > 0 ? again : level;
 }
 
 double unresolved(double tail, int n, bool slow, double of_integrals, double in_layer) {
@@ -320,6 +322,13 @@ SlipVariable about_kinks(const GridSolution& from, int n) {
 SlipVariable variable_after(const GridSolution& from, int n) {
   const bool same = n == from.h.size() || from.kinks.empty();
   return same ? from.at.variable : about_kinks(from, n);
+}
+
+bool misses_kink(const GridSolution& x) {
+  if (x.newton_steps == 0 || x.kinks.empty()) return false;
+  const auto n = static_cast<int>(x.h.size());
+  const Cluster &nodes = x.at.variable.clusters[0], kink = about_kinks(x, n).clusters[0];
+  return nodes.rate == 0 || std::abs(nodes.place - kink.place) > 0.3 / n;
 }
 
 int unknowns_after(int n) {

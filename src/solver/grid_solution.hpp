@@ -42,9 +42,10 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
                                  const GridSolution& from, const SlipVariable& by = {});
 
 /// The variable with nodes at the kinks of a solution, for a grid of n unknowns; and that of a grid
-/// that starts from a solution.
+/// that starts from a solution. Whether a solution has its largest kink where its nodes are not.
 SlipVariable about_kinks(const GridSolution& from, int n);
 SlipVariable variable_after(const GridSolution& from, int n);
+bool misses_kink(const GridSolution& x);
 
 /// The residual of a solution for the given quantity; a border is measured from the nearer end.
 double residual(const GridSolution& x, const Prescribed& given);

@@ -926,6 +926,8 @@ NotesOnDataBeyondTheModel() {
   [ "$(tail -1 out | sed 's/.*,//')" = "$(paste -sd';' told | sed 's/;/; /g')" ] || fail "not in the CSV: $(cat out)"
   run temperature "${in_gpa[@]}" --at 0.5
   [ $status -eq 0 ] && [ "$(wc -l <err)" -eq 4 ] || fail "status $status: $(cat err)"
+  run solve "${wheel[@]/1.4e-5/14}" --traction 0.3 --method closed-form # in mm^2/s
+  grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 5 .*: are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   [ "$(value notes)" = "[]" ] || fail "a note on the paper's scene: $(cat out)"
   answers solve "${paper_scene[@]}" --format json
@@ -944,6 +946,9 @@ NotesOnCreepCurves() {
   [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
   run law "${wheel[@]/5.5e-3/5.5}" --format json
   grep -q '^thermoroll: note: half_width = 5.5 is above 0.1 ' err || fail "$(cat err)"
+  run law --friction 0.6 --peclet 1e5 --heating 30 --format json
+  [ $status -eq 0 ] || fail "status $status"
+  grep -q '^thermoroll: note: the curve ends at the creep 0.00[0-9]*: the solution is not resolved (a larger tolerance may go on)$' err || fail "$(cat err)"
 }
 
 # A radius and the half-width found for it are the same scene.
@@ -1903,6 +1908,7 @@ BadCurves() {
   run creep-curve "${wheel[@]}" --to-ratio "$end" --points 2
   [ $status -eq 0 ] || fail "status $status: $(cat err)"
   refuses 2 "from-ratio = 0.02 is not allowed: it must be below --to-ratio, 0.01" creep-curve "${wheel[@]}" --from-ratio 0.02 --to-ratio 0.01
+  refuses 2 "from-ratio = 0.9 is not allowed: it must be below --to-ratio, 0.0" creep-curve "${wheel[@]}" --from-ratio 0.9
   refuses 2 "--peclet is missing" creep-curve --friction 0.6
   refuses 2 "--friction is required" creep-curve --peclet 100
 }

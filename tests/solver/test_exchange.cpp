@@ -449,6 +449,18 @@ TEST(Exchange, ASharedFluxHasAnError) {
   }
 }
 
+// The flux of 90 unknowns is off by more than the tails of its coefficients.
+TEST(Exchange, ErrorsWithoutSlipCoverAFinerFlux) {
+  for (const double peclet : {1.0, 10.0, 40.0}) {
+    Scene scene{0.6, peclet, 0.01, {1, 0.01}};
+    scene.bulk_difference = 1e-4;
+    const NoSlip rest = no_slip(scene, 1e-9), better = no_slip(scene, 1e-12);
+    EXPECT_LT(better.traction_error, rest.traction_error / 10);
+    EXPECT_LE(std::abs(rest.creep - better.creep), rest.creep_error);
+    EXPECT_LE(std::abs(rest.traction - better.traction), rest.traction_error);
+  }
+}
+
 // In this random scene of strong heat the crossing heats of 120 and of 192 unknowns agree by
 // chance, twenty times better than with finer ones.
 TEST(Exchange, CrossingHeatMayAgreeByChance) {
