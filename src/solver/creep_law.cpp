@@ -185,7 +185,7 @@ LawPiece fitted(const std::array<Stored, law_terms>& y) {
 }
 
 LawErrors errors_of(const LawErrors& difference, bool sticks, const Stored& at) {
-  return 3 * difference.abs() * LawErrors(sticks ? at.creep : 1, 1, at.z * at.z);
+  return difference.abs() * LawErrors(sticks ? at.creep : 1, 1, at.z * at.z);
 }
 
 LawErrors missed(const LawPiece& piece, bool sticks, const Stored& at) {
@@ -221,28 +221,28 @@ bool rises(const std::array<Stored, law_terms>& y) {
 Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
                 GridSolution near) {
   const auto [n, finer] = grid;
-  bool solved = true, smooth = x.curve.scene.bulk_difference == 0;
+  bool solved = true, kinked = false;
   const auto at = [&](int unknowns, double k, GridSolution& last) {
     const double w = law_node(from, to, k);
     if (w > 0) {
       const GridSolution there = solution_at(x.curve, unknowns, w, last);
       if (there.newton_steps > 0) last = there;
       solved = solved && there.newton_steps > 0;
-      smooth = smooth && there.kinks.empty();
+      kinked = kinked || !there.kinks.empty();
     }
     return stored(x, to <= 1, w, last);
   };
   std::array<Stored, law_terms> y;
   for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k), near);
-  Trial trial{fitted(y), 0.2 * x.tolerance, LawErrors::Zero()};
+  const double times = kinked ? 6 : 3, step = kinked || x.curve.scene.bulk_difference != 0 ? 1 : 3;
+  Trial trial{fitted(y), times / 15 * x.tolerance, LawErrors::Zero()};
   GridSolution near_finer = near;
-  const double step = smooth ? 3 : 1;
   for (double k = 9.5; k > 0; k -= step) {
     const Stored fine = at(finer, k, near_finer);
-    trial.error = trial.error.max(missed(trial.piece, to <= 1, fine));
+    trial.error = trial.error.max(times * missed(trial.piece, to <= 1, fine));
     if ((trial.error <= x.tolerance).all()) continue;
     const LawErrors moved = errors_of(at(n, k, near).value - fine.value, to <= 1, fine);
-    trial.of_grid = trial.of_grid.max(moved);
+    trial.of_grid = trial.of_grid.max(times * moved);
     if (!is_too_coarse(trial, x.tolerance)) break;
   }
   if (!solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
