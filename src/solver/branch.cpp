@@ -280,11 +280,12 @@ bool is_flat(const Points& points) {
 
 /// Whether the largest traction is that of a range.
 bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
-  if (!top.sticks) return points.size() == 7 && is_flat(points);
-  if (!is_next_to_full_slip(top)) return false;
-  const Points two = around(curve, {top.local, 1, false}, false, 1e-3, points[0].solution);
+  if (!top.sticks && points.size() == 7 && is_flat(points)) return true;
+  if (!needs_more_points(top)) return false;
+  const double beyond = top.sticks ? 1 : 1 + top.rho / 2;
+  const Points two = around(curve, {top.local, beyond, false}, false, 1e-3, points[0].solution);
   return two.size() == 2 && is_flat(two) &&
-         two[0].traction() > results_at(top)(traction) * (1 - 1e-9);
+         two[0].traction() > results_at(top)(traction) * (1 - 1e-6);
 }
 
 void begin_full_slip(const CreepCurve& curve, Highest& top) {

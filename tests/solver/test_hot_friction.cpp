@@ -845,7 +845,10 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
   shortly.law = linear_friction({0.0113365791, 0.3, 0.0228998898});
   Scene rises{0.897498605, 1.05882243, 0.0607008444};
   rises.law = piecewise_linear_friction({0.145526793, 1.40665339});
-  for (const Scene& other : {cold, at_floor, shortly, rises})
+  Scene uneven{0.534618640, 0.0399580552, 4.63787395e-6, {1, 4.63787395e-6, 0.0229696515}};
+  uneven.bulk_difference = 0.041642025;
+  uneven.law = piecewise_linear_friction({0.689258164, 1.41147945});
+  for (const Scene& other : {cold, at_floor, shortly, rises, uneven})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
   const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));
