@@ -121,7 +121,11 @@ std::string told(const CreepLaw& law, const nlohmann::ordered_json& scene,
     text += mark + "  " + key + " = " + value.dump() + '\n';
   if (units)
     text += mark + "In SI units: speed = " + shortest(units->speed) +
-            " m/s, load = " + shortest(units->traction) + " N/m.\n";
+            " m/s, load = " + shortest(units->traction) + " N/m" +
+            (units->bulk_temperature
+                 ? ", bulk temperature = " + shortest(*units->bulk_temperature) + " degree C"
+                 : "") +
+            ".\n";
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
                           "largest rise over the half-space's bulk in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
@@ -348,12 +352,14 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
 
 std::string law_text(const CreepLaw& law, const Scene& of, Formulation formulation,
                      const std::optional<LawUnits>& units, Language language) {
-  const nlohmann::ordered_json scene = scene_of_law(of, formulation);
+  nlohmann::ordered_json scene = scene_of_law(of, formulation);
   const LawUnits unit = units.value_or(LawUnits{});
   const auto comment = [&](const char* mark) { return told(law, scene, units, mark); };
   if (language == Language::c) return in_c(law, unit, comment("// "));
   if (language == Language::python) return in_python(law, unit, comment("# "));
   if (language == Language::modelica) return in_modelica(law, unit, comment("// "));
+  if (units) scene["speed"] = units->speed;
+  if (unit.bulk_temperature) scene["bulk_temperature"] = *unit.bulk_temperature;
   return in_json(law, unit, scene);
 }
 

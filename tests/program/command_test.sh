@@ -1773,7 +1773,12 @@ LawTellsItsScene() {
   grep -qx "// In SI units: speed = 22.2 m/s, load = 1.2e+07 N/m." law.c || fail "$(head -12 law.c)"
   grep -qx "// Strains are small up to a creep of 0.1 only." law.c || fail "$(head -12 law.c)"
   law_in json law.json "${wheel[@]}" --tolerance 1e-2
-  ! grep -q "friction_law\|conductivity_ratio" law.json || fail "what is not there: $(head -12 law.json)"
+  ! grep -q "friction_law\|conductivity_ratio\|bulk_temperature" law.json || fail "what is not there: $(head -12 law.json)"
+  grep -qx ' "speed": 22.2,' law.json || fail "$(head -12 law.json)"
+  law_in c law.c "${wheel[@]}" --bulk-temperature 20 --tolerance 1e-2
+  grep -qx "// In SI units: speed = 22.2 m/s, load = 1.2e+07 N/m, bulk temperature = 20 degree C." law.c || fail "$(head -12 law.c)"
+  law_in json law.json "${wheel[@]}" --bulk-temperature 20 --tolerance 1e-2
+  grep -qx ' "bulk_temperature": 20.0,' law.json || fail "$(head -12 law.json)"
 }
 
 # The tables alone are enough: the series as the sum of cosines that it is.
