@@ -280,7 +280,6 @@ bool is_flat(const Points& points) {
 
 /// Whether the largest traction is that of a range.
 bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
-  if (!top.sticks && points.size() == 7 && is_flat(points)) return true;
   if (!needs_more_points(top)) return false;
   const double beyond = top.sticks ? 1 : 1 + top.rho / 2;
   const Points two = around(curve, {top.local, beyond, false}, false, 1e-3, points[0].solution);

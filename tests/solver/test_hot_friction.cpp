@@ -845,9 +845,10 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
   shortly.law = linear_friction({0.0113365791, 0.3, 0.0228998898});
   Scene rises{0.897498605, 1.05882243, 0.0607008444};
   rises.law = piecewise_linear_friction({0.145526793, 1.40665339});
-  Scene uneven{0.534618640, 0.0399580552, 4.63787395e-6, {1, 4.63787395e-6, 0.0229696515}};
-  uneven.bulk_difference = 0.041642025;
-  uneven.law = piecewise_linear_friction({0.689258164, 1.41147945});
+  Scene uneven{0.5346186402619154, 0.03995805520885564, 4.637873953053307e-06};
+  uneven.roller = {1, 4.637873953053307e-06, 0.02296965148594143};
+  uneven.bulk_difference = 0.041642024968000325;
+  uneven.law = piecewise_linear_friction({0.6892581643845163, 1.4114794524560008});
   for (const Scene& other : {cold, at_floor, shortly, rises, uneven})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
