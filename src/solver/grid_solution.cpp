@@ -278,8 +278,7 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
   if (level.newton_steps == 0)
     for (const double stick : {1.0, 0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
       level = with(stick, level);
-  if (level.kinks.empty()) return level;
-  const GridSolution again = with(1e-6, level);
+  const GridSolution again = misses_kink(level) ? with(1e-6, level) : level;
   return again.newton_steps > 0 ? again : level;
 }
 

@@ -1716,6 +1716,12 @@ LawOfAHotWheel() {
     near "$(echo $creep | ./law | cut -d' ' -f1)" "$q" 1e-4
     near "$(python3 -c "from law import creep_law; print(creep_law($creep)[0])")" "$q" 1e-4
   done
+  # before its first piece the law is a straight line, next to the traction without slip
+  local rest slope
+  rest=$(sed -n 's/^static const double no_slip_creep = \(.*\);/\1/p' law.c)
+  slope=$(calculate "($(calculate "$rest + 4e-5" | ./law | cut -d' ' -f1) - $(calculate "$rest + 2e-5" | ./law | cut -d' ' -f1)) / 2e-5")
+  near "$(calculate "$rest + 3e-5" | ./law | cut -d' ' -f2)" "$slope" 1e-7
+  near "$(python3 -c "from law import creep_law; print(creep_law($rest + 3e-5)[1])")" "$slope" 1e-7
   near "$(cut -d, -f2 curve.csv | sed -n 8p)" "$(echo 0.5 | ./law | cut -d' ' -f1)" 1e-12
   near "$(cut -d, -f2 curve.csv | sed -n 2p)" "$(echo -0.5 | ./law | cut -d' ' -f1)" 1e-12
 }
