@@ -1,4 +1,4 @@
-// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/19-braking-and-alike-bodies.md, paper/23-unlike-bodies.md; edit there.
+// Tangled from paper/02-problem.md, paper/04-integral-equations.md, paper/18-what-heat-can-do.md, paper/19-braking-and-alike-bodies.md, paper/23-unlike-bodies.md; edit there.
 #include "thermoroll/scene.hpp"
 
 #include <cmath>
@@ -87,6 +87,10 @@ void check_but_half_width(const PhysicalScene& si) {
 void check(const PhysicalScene& si) {
   check_but_half_width(si);
   require(si.half_width > 0, "half-width", si.half_width, "positive");
+}
+
+double grueneisen(double capacity, double expansion, double shear_modulus, double poisson) {
+  return 2 * expansion * shear_modulus * (1 + poisson) / ((1 - 2 * poisson) * capacity);
 }
 
 double heat_share(const Scene& scene) { return 1 / (1 + scene.roller.conductivity_ratio); }

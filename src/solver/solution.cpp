@@ -370,11 +370,6 @@ void set_sizes(PhysicalResults& y, const PhysicalScene& si, double load_ratio) {
   y.half_width_over_radius = hertz * hertz / si.half_width;
 }
 
-double grueneisen_of(const PhysicalScene& si) {
-  const double capacity = si.conductivity / si.diffusivity;  // of a unit of volume
-  return 2 * si.expansion * si.shear_modulus * (1 + si.poisson) / (1 - 2 * si.poisson) / capacity;
-}
-
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si) {
   struct Limit {
     const char* name;
@@ -386,6 +381,8 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                           ? "steel melts there"
                           : "steel melts there with all heat in one body: two steel bodies are "
                             "about half as hot";
+  const double gamma =
+      grueneisen(si.conductivity / si.diffusivity, si.expansion, si.shear_modulus, si.poisson);
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
@@ -395,7 +392,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
-      {"grueneisen", grueneisen_of(si), 5, "solids have 0.5 to 2",
+      {"grueneisen", gamma, 5, "solids have 0.5 to 2",
        "are expansion and diffusivity and conductivity in SI units?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};

@@ -8,8 +8,7 @@ namespace thermoroll {
 double shear_modulus(const Material& m) { return m.youngs_modulus / (2 * (1 + m.poisson)); }
 
 double grueneisen(const Material& m) {
-  const double bulk_modulus = m.youngs_modulus / (3 * (1 - 2 * m.poisson));
-  return 3 * m.expansion * bulk_modulus / (m.density * m.heat_capacity);
+  return grueneisen(m.density * m.heat_capacity, m.expansion, shear_modulus(m), m.poisson);
 }
 
 double heating_of_size(const Material& m, double half_width_over_radius) {

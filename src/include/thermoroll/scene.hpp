@@ -107,6 +107,10 @@ Units units_of(const PhysicalScene& si, double friction);
 /// Hertz's half-width a in m, @eq:kappa, from N/m, m, Pa; all positive.
 double hertz_half_width(double load, double radius, double shear_modulus, double poisson);
 
+/// Grüneisen's number, @eq:grueneisen, of a heat capacity in J/(m^3 K), an expansion in 1/K, Pa;
+/// dimensionless. Poisson's ratio is below 1/2.
+double grueneisen(double capacity, double expansion, double shear_modulus, double poisson);
+
 /// The wheel on its rail that the paper computes, @tbl:steel.
 PhysicalScene wheel_on_rail();
 
