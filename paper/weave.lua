@@ -694,6 +694,24 @@ local function joined(svg)
   return svg
 end
 
+--- Marks that follow each other at one scale and in one colour, as a group of places.
+local function grouped(svg)
+  local mark = "<use xlink:href='(#gpPt%d+)' transform='translate%(([%d.-]+),([%d.-]+)%) scale%(([%d.]+)%)'([^>]*)/>"
+  local out, at, open = {}, 1, nil
+  while true do
+    local first, last, name, x, y, scale, colour = svg:find(mark, at)
+    if not first then break end
+    local between, group = svg:sub(at, first - 1), "<g transform='scale(" .. scale .. ")'" .. colour .. ">"
+    if group ~= open or between:find("%S") then
+      table.insert(out, (open and "</g>" or "") .. between .. group)
+      open = group
+    end
+    table.insert(out, ("<use xlink:href='%s' x='%.2f' y='%.2f'/>"):format(name, x / scale, y / scale))
+    at = last + 1
+  end
+  return table.concat(out) .. (open and "</g>" or "") .. svg:sub(at)
+end
+
 --- The drawing without marks that it does not use and without spaces between its parts, its paths by
 --- steps.
 local function shortened(svg)
@@ -705,6 +723,7 @@ local function shortened(svg)
       return not svg:find("#" .. mark .. "['\"]") and "" or nil
     end)
   end
+  svg = grouped(svg)
   svg = svg:gsub("translate%(([%d.-]+),([%d.-]+)%)", function(x, y) return ("translate(%.1f,%.1f)"):format(x, y) end)
   svg = svg:gsub("<polygon([^>]*)%spoints = '([^'>]*)'%s*/>", "<path%1 d='M%2Z'/>")
   return (joined(svg):gsub("%sd='(M[%d%.,%sML-]*)Z?%s*'", function(path) return " d='" .. relative(path) .. "'" end)
@@ -1433,7 +1452,7 @@ local function chunk_index()
   local out = { '<ul class="index">' }
   for _, chunk in ipairs(sorted(chunks, title)) do
     local places = pandoc.List(chunk.pieces):map(function(piece)
-      return link(anchor(piece), (chunk.of_parts and piece.html_title .. " " or "") .. where(piece))
+      return link(anchor(piece), chunk.of_parts and piece.html_title or where(piece))
     end)
     table.insert(out, string.format("<li>%s<div><code>%s</code>%s%s</div></li>",
       link(anchor(chunk.pieces[1]), chunk.html), escape(chunk.name),

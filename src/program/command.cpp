@@ -296,11 +296,11 @@ std::string rounded_towards_zero(double x) {
   return digits;
 }
 
-/// Of a curve that was to go from one creep to another.
-std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double to,
+/// Of a curve that was to reach these creeps.
+std::vector<std::string> notes_on_ends(const CreepLaw& law, const std::vector<double>& creeps,
                                        const std::optional<LawUnits>& units) {
   std::vector<std::string> notes;
-  for (const double creep : {from, to}) {
+  for (const double creep : creeps) {
     const auto& [half, sign, size] = side_of(law, creep);
     if (size <= half.last_creep) continue;
     const double last = law.no_slip_creep + sign * half.last_creep;
@@ -313,15 +313,33 @@ std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double 
 
 constexpr double law_tolerance = 1e-4;
 
+CreepLawBySpeed law_of(const AllCreeps& c, const Maybe& to_speed, double tolerance) {
+  if (!to_speed) {
+    const CreepLaw law = creep_law(c.scene, c.formulation, tolerance);
+    return {{c.units ? c.units->speed : 0},
+            {law},
+            law.traction_error,
+            law.border_error,
+            law.temperature_error};
+  }
+  if (!c.physical) throw std::invalid_argument("for data in SI units only: --to-speed");
+  const auto at = [&](double speed) {
+    PhysicalScene si = *c.physical;
+    si.speed = speed;
+    return scene_of(si, c.scene.friction);
+  };
+  return creep_law_by_speed(at, c.formulation, c.physical->speed, *to_speed, tolerance);
+}
+
 void run_law(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
-  const CreepLaw law =
-      creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance));
+  const CreepLawBySpeed law = law_of(c, o.to_speed, o.of_scene.tolerance.value_or(law_tolerance));
   deliver({{law_text(law, c.scene, c.formulation, c.units, value_of(language_names, o.language)),
             o.output}});
   say_reference(o.of_scene);
   const double far = 20 * c.scene.friction / pi;
-  print_notes(notes_on_ends(law, -far, far, c.units));
+  print_notes(notes_on_ends(first_to_end(law, &CreepLaw::braking), {-far}, c.units));
+  print_notes(notes_on_ends(first_to_end(law, &CreepLaw::driving), {far}, c.units));
   if (c.physical) print_notes(notes_on(*c.physical, 0, 0));
 }
 
@@ -382,7 +400,7 @@ void run_creep_curve(const Options& o) {
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);
-  print_notes(notes_on_ends(law, from, to, c.units));
+  print_notes(notes_on_ends(law, {from, to}, c.units));
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));
 }
 
@@ -547,6 +565,8 @@ void add_creep_law(CLI::App& program, Options& o) {
   command.add_option("--format", o.language, "language of the function, c unless given")
       ->type_name(joined(words(language_names), "|"))
       ->check(one_of("format", words(language_names)));
+  add_number(command, "to-speed", o.to_speed,
+             "m/s, with SI data: a law for creep and speed, from --speed to this");
   add_output(command, o);
 }
 
@@ -715,12 +735,12 @@ constexpr const char* law_examples = R"(Examples:
   thermoroll law --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical --output law.c
   thermoroll law --friction 0.6 --peclet 100 --heating 0.0175 --friction-law linear \
     --friction-temperature 0.02 --format python --output law.py
-  thermoroll law --friction 0.6 --load 1.2e7 --speed 22.2 --half-width 5.5e-3 --format json \
+  thermoroll law --friction 0.6 --load 1.2e7 --speed 1 --to-speed 60 --half-width 5.5e-3 --format json \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
 
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
-speed, N/m and the rise in degree C. A law is of one --half-width: that of a radius is told by
+speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too. A law is of one --half-width: that of a radius is told by
 solve --radius. Unless --roller says otherwise, all heat goes into one body: two steel bodies
 (--roller identical) are about half as hot.)";
 

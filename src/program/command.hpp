@@ -18,7 +18,7 @@ struct Options {
   std::string at = "-1.5:4:551", depth = "0";
   std::string name, times, format = "text", language = "c", help = "text", output, profile;
   std::optional<int> profile_points;
-  Maybe from, to, from_ratio, to_ratio;
+  Maybe from, to, from_ratio, to_ratio, to_speed;
   int points = 101;
   std::optional<int> jobs;
   std::string table, columns, keep, rows_format = "csv", resume, part, package;

@@ -53,37 +53,40 @@ struct LawTable {
   std::vector<double> numbers{};
 };
 
-/// For both sides unit_creep, last_creep and the first piece, with the number of pieces at the end;
-/// then the ends of all pieces and their coefficients, law_terms for each.
-std::vector<LawTable> tables_of(const CreepLaw& law) {
-  LawTable first{"first_piece", {0}}, from{"from_z"}, to{"to_z"}, q{"traction_terms"},
-      t{"temperature_terms"};
-  for (const LawHalf* half : {&law.driving, &law.braking}) {
-    for (const LawPiece& piece : half->pieces) {
-      from.numbers.push_back(piece.from);
-      to.numbers.push_back(piece.to);
-      q.numbers.insert(q.numbers.end(), piece.traction.begin(), piece.traction.end());
-      t.numbers.insert(t.numbers.end(), piece.temperature.begin(), piece.temperature.end());
+/// For both sides of each law unit_creep, last_creep and the first piece, with the number of pieces
+/// at the end; then the ends of all pieces and their coefficients, law_terms for each.
+std::vector<LawTable> tables_of(const CreepLawBySpeed& by_speed) {
+  LawTable unit{"unit_creep"}, last{"last_creep"}, first{"first_piece", {0}}, from{"from_z"},
+      to{"to_z"}, q{"traction_terms"}, t{"temperature_terms"};
+  for (const CreepLaw& law : by_speed.laws)
+    for (const LawHalf* half : {&law.driving, &law.braking}) {
+      for (const LawPiece& piece : half->pieces) {
+        from.numbers.push_back(piece.from);
+        to.numbers.push_back(piece.to);
+        q.numbers.insert(q.numbers.end(), piece.traction.begin(), piece.traction.end());
+        t.numbers.insert(t.numbers.end(), piece.temperature.begin(), piece.temperature.end());
+      }
+      unit.numbers.push_back(half->unit_creep);
+      last.numbers.push_back(half->last_creep);
+      first.numbers.push_back(static_cast<double>(from.numbers.size()));
     }
-    first.numbers.push_back(static_cast<double>(from.numbers.size()));
-  }
-  return {{"unit_creep", {law.driving.unit_creep, law.braking.unit_creep}},
-          {"last_creep", {law.driving.last_creep, law.braking.last_creep}},
-          first,
-          from,
-          to,
-          q,
-          t};
+  return {unit, last, first, from, to, q, t};
 }
 
-std::vector<std::pair<const char*, double>> constants_of(const CreepLaw& law,
-                                                         const LawUnits& unit) {
+std::vector<std::pair<const char*, double>> constants_of(const LawUnits& unit) {
   return {{"creep_unit", unit.creep},
           {"traction_unit", unit.traction},
-          {"temperature_unit", unit.temperature},
-          {"no_slip_creep", law.no_slip_creep},
-          {"no_slip_traction", law.no_slip_traction},
-          {"coldest", law.coldest}};
+          {"temperature_unit", unit.temperature}};
+}
+
+std::vector<LawTable> states_of(const CreepLawBySpeed& by_speed) {
+  LawTable creep{"no_slip_creep"}, traction{"no_slip_traction"}, coldest{"coldest"};
+  for (const CreepLaw& law : by_speed.laws) {
+    creep.numbers.push_back(law.no_slip_creep);
+    traction.numbers.push_back(law.no_slip_traction);
+    coldest.numbers.push_back(law.coldest);
+  }
+  return {creep, traction, coldest};
 }
 
 bool counts_pieces(const LawTable& table) { return table.name == std::string("first_piece"); }
@@ -93,6 +96,15 @@ std::string listed(const LawTable& table, const std::string& infinite) {
   for (const double x : table.numbers)
     text += (text.empty() ? "" : ", ") + (std::isfinite(x) ? shortest(x) : infinite);
   return text;
+}
+
+bool has_speeds(const CreepLawBySpeed& law) { return law.laws.size() > 1; }
+
+std::vector<LawTable> all_tables_of(const CreepLawBySpeed& law) {
+  std::vector<LawTable> all = states_of(law);
+  if (has_speeds(law)) all.push_back({"speeds", law.speeds});
+  for (const LawTable& table : tables_of(law)) all.push_back(table);
+  return all;
 }
 
 nlohmann::ordered_json scene_of_law(const Scene& x, Formulation formulation) {
@@ -113,14 +125,16 @@ nlohmann::ordered_json scene_of_law(const Scene& x, Formulation formulation) {
   return o;
 }
 
-std::string told(const CreepLaw& law, const nlohmann::ordered_json& scene,
+std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene,
                  const std::optional<LawUnits>& units, const std::string& mark) {
   const LawUnits unit = units.value_or(LawUnits{});
   std::string text = mark + "Rolling contact by thermoroll, dimensionless:\n";
   for (const auto& [key, value] : scene.items())
     text += mark + "  " + key + " = " + value.dump() + '\n';
+  const bool by_speed = has_speeds(law);
+  const std::string to = by_speed ? " to " + shortest(law.speeds.back()) : "";
   if (units)
-    text += mark + "In SI units: speed = " + shortest(units->speed) +
+    text += mark + "In SI units: speed = " + shortest(units->speed) + to +
             " m/s, load = " + shortest(units->traction) + " N/m" +
             (units->bulk_temperature
                  ? ", bulk temperature = " + shortest(*units->bulk_temperature) + " degree C"
@@ -129,17 +143,21 @@ std::string told(const CreepLaw& law, const nlohmann::ordered_json& scene,
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
                           "largest rise over the half-space's bulk in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
+  if (by_speed)
+    text += mark + "Dimensionless data: of the lowest speed. The status is 1 outside this range.\n";
   if (units) text += mark + "Strains are small up to a creep of 0.1 only.\n";
   text += mark + "Errors: of the traction " + rounded(law.traction_error * unit.traction, 2) +
           ", of the temperature " + rounded(law.temperature_error * unit.temperature, 2) + ";\n" +
           mark + "in full slip the latter grows like the creep from where all slips on.\n";
-  for (const LawHalf* half : {&law.driving, &law.braking}) {
-    const double size = half == &law.driving ? half->last_creep : -half->last_creep;
-    text += mark + (half == &law.driving ? "Driving" : "Braking");
-    text += half->reason.empty()
+  for (const auto side : {&CreepLaw::driving, &CreepLaw::braking}) {
+    const CreepLaw& first = first_to_end(law, side);
+    const LawHalf& half = first.*side;
+    const double size = side == &CreepLaw::driving ? half.last_creep : -half.last_creep;
+    text += mark + (side == &CreepLaw::driving ? "Driving" : "Braking");
+    text += half.reason.empty()
                 ? " has no end.\n"
-                : " ends at the creep " + shortest((law.no_slip_creep + size) * unit.creep) + ": " +
-                      half->reason + ".\n";
+                : " ends at the creep " + shortest((first.no_slip_creep + size) * unit.creep) +
+                      (by_speed ? " at the earliest: " : ": ") + half.reason + ".\n";
   }
   return text + mark + "Beyond an end the status is 1 and all else is 0.\n";
 }
@@ -160,10 +178,10 @@ static double series(const double *c, double x, double *slope) {
 )";
 
 constexpr const char* c_function = R"(
-int creep_law(double creep, double *traction, double *slope, double *temperature) {
-  const double more = creep / creep_unit - no_slip_creep;
-  const int side = more < 0;
-  const double sign = side ? -1 : 1, size = sign * more, unit = unit_creep[side];
+static int law_at(int law, double creep, double *traction, double *slope, double *temperature) {
+  const double more = creep / creep_unit - no_slip_creep[law];
+  const int brakes = more < 0, side = 2 * law + brakes;
+  const double sign = brakes ? -1 : 1, size = sign * more, unit = unit_creep[side];
   *traction = *slope = *temperature = 0;
   if (!(size <= last_creep[side])) return 1;
   const double z = size <= unit ? sqrt(size / unit) : 2 - unit / size;
@@ -173,9 +191,9 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
   const double x = fmin(1, fmax(-1, per_z * (z - from_z[k]) - 1));
   double by_x, unused;
   const double q = series(traction_terms + terms * k, x, &by_x);
-  const double t = fmax(coldest, series(temperature_terms + terms * k, x, &unused));
+  const double t = fmax(coldest[law], series(temperature_terms + terms * k, x, &unused));
   const int sticks = from_z[k] < 1;
-  *traction = traction_unit * (sticks ? no_slip_traction + sign * size * q : sign * q);
+  *traction = traction_unit * (sticks ? no_slip_traction[law] + sign * size * q : sign * q);
   *slope = traction_unit / creep_unit *
            (!sticks         ? unit / size / size * per_z * by_x
             : z < from_z[k] ? q
@@ -185,15 +203,46 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
 }
 )";
 
-std::string in_c(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
+constexpr const char* c_alone = R"(
+int creep_law(double creep, double *traction, double *slope, double *temperature) {
+  return law_at(0, creep, traction, slope, temperature);
+}
+)";
+
+constexpr const char* c_by_speed = R"(
+int creep_law(double creep, double speed, double *traction, double *slope, double *temperature) {
+  double sum[3] = {0, 0, 0}, q, dq, t;
+  int first = 0;
+  *traction = *slope = *temperature = 0;
+  if (!(speeds[0] <= speed && speed <= speeds[laws - 1])) return 1;
+  while (first + 5 < laws && speed > speeds[first + 4]) first += 4;
+  const double y = 4 * log(speed / speeds[first]) / log(speeds[first + 4] / speeds[first]);
+  for (int i = 0; i < 5; ++i) {
+    double weight = 1;
+    for (int j = 0; j < 5; ++j)
+      if (j != i) weight *= (y - j) / (i - j);
+    if (law_at(first + i, creep, &q, &dq, &t)) return 1;
+    sum[0] += weight * q;
+    sum[1] += weight * dq;
+    sum[2] += weight * t;
+  }
+  *traction = sum[0];
+  *slope = sum[1];
+  *temperature = sum[2] * speed / speeds[0];
+  return 0;
+}
+)";
+
+std::string in_c(const CreepLawBySpeed& law, const LawUnits& unit, const std::string& comment) {
   std::string text = comment + "#include <math.h>\n\n";
-  text += "enum { terms = " + std::to_string(law_terms) + " };\n";
-  for (const auto& [name, number] : constants_of(law, unit))
+  const std::string laws = has_speeds(law) ? ", laws = " + std::to_string(law.laws.size()) : "";
+  text += "enum { terms = " + std::to_string(law_terms) + laws + " };\n";
+  for (const auto& [name, number] : constants_of(unit))
     text += std::string("static const double ") + name + " = " + shortest(number) + ";\n";
-  for (const LawTable& table : tables_of(law))
+  for (const LawTable& table : all_tables_of(law))
     text += std::string("static const ") + (counts_pieces(table) ? "int " : "double ") +
             table.name + "[] = {" + listed(table, "HUGE_VAL") + "};\n";
-  return text + c_series + c_function;
+  return text + c_series + c_function + (has_speeds(law) ? c_by_speed : c_alone);
 }
 
 constexpr const char* python_function = R"(
@@ -205,10 +254,9 @@ def series(c, x):
     return x * b - before + c[0], b + x * d - d_before
 
 
-def creep_law(creep):
-    """Traction, its slope, temperature and status at a creep."""
-    more = creep / creep_unit - no_slip_creep
-    side, sign = (1, -1) if more < 0 else (0, 1)
+def law_at(law, creep):
+    more = creep / creep_unit - no_slip_creep[law]
+    side, sign = (2 * law + 1, -1) if more < 0 else (2 * law, 1)
     size, unit = sign * more, unit_creep[side]
     if not size <= last_creep[side]:
         return 0.0, 0.0, 0.0, 1
@@ -219,9 +267,9 @@ def creep_law(creep):
     per_z = 2 / (to_z[k] - from_z[k])
     x = min(1, max(-1, per_z * (z - from_z[k]) - 1))
     q, by_x = series(traction_terms[terms * k:terms * (k + 1)], x)
-    t = max(coldest, series(temperature_terms[terms * k:terms * (k + 1)], x)[0])
+    t = max(coldest[law], series(temperature_terms[terms * k:terms * (k + 1)], x)[0])
     if from_z[k] < 1:
-        traction, slope = no_slip_traction + sign * size * q, q
+        traction, slope = no_slip_traction[law] + sign * size * q, q
         if z > from_z[k]:
             slope += z * per_z * by_x / 2
     else:
@@ -229,25 +277,56 @@ def creep_law(creep):
     return traction_unit * traction, traction_unit / creep_unit * slope, temperature_unit * t, 0
 )";
 
-std::string in_python(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
+constexpr const char* python_alone = R"(
+
+def creep_law(creep):
+    """Traction, its slope, temperature and status at a creep."""
+    return law_at(0, creep)
+)";
+
+constexpr const char* python_by_speed = R"(
+
+def creep_law(creep, speed):
+    """Traction, its slope, temperature and status at a creep and a speed."""
+    if not speeds[0] <= speed <= speeds[-1]:
+        return 0.0, 0.0, 0.0, 1
+    first = 0
+    while first + 5 < len(speeds) and speed > speeds[first + 4]:
+        first += 4
+    y = 4 * math.log(speed / speeds[first]) / math.log(speeds[first + 4] / speeds[first])
+    traction = slope = temperature = 0.0
+    for i in range(5):
+        q, dq, t, status = law_at(first + i, creep)
+        if status:
+            return 0.0, 0.0, 0.0, 1
+        weight = math.prod((y - j) / (i - j) for j in range(5) if j != i)
+        traction, slope, temperature = traction + weight * q, slope + weight * dq, temperature + weight * t
+    return traction, slope, temperature * speed / speeds[0], 0
+)";
+
+std::string in_python(const CreepLawBySpeed& law, const LawUnits& unit,
+                      const std::string& comment) {
   std::string text = comment + "import math\n\nterms = " + std::to_string(law_terms) + "\n";
-  for (const auto& [name, number] : constants_of(law, unit))
+  for (const auto& [name, number] : constants_of(unit))
     text += std::string(name) + " = " + shortest(number) + "\n";
-  for (const LawTable& table : tables_of(law))
+  for (const LawTable& table : all_tables_of(law))
     text += table.name + (" = [" + listed(table, "math.inf")) + "]\n";
-  return text + python_function;
+  return text + python_function + (has_speeds(law) ? python_by_speed : python_alone);
 }
 
-constexpr const char* modelica_algorithm = R"(  Real more = creep / creep_unit - no_slip_creep;
-  Integer side = if more < 0 then 2 else 1;
-  Real way = if more < 0 then -1 else 1;
-  Real distance = way * more;
-  Real z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
-  Integer k;
-algorithm
-  traction := 0; slope := 0; temperature := 0; status := 1;
-  if distance <= last_creep[side] then
-    status := 0;
+constexpr const char* modelica_algorithm = R"(  for law in first:last loop
+    weight := 1;
+    for j in first:last loop
+      weight := if j == law then weight else weight * (y - (j - first)) / (law - j);
+    end for;
+    more := creep / creep_unit - no_slip_creep[law];
+    side := if more < 0 then 2 * law else 2 * law - 1;
+    way := if more < 0 then -1 else 1;
+    distance := way * more;
+    if distance > last_creep[side] then
+      traction := 0; slope := 0; temperature := 0; status := 1;
+      return;
+    end if;
     z := if distance <= unit_creep[side] then sqrt(distance / unit_creep[side]) else 2 - unit_creep[side] / distance;
     k := first_piece[side] + 1;
     while k < first_piece[side + 1] and z > to_z[k] loop k := k + 1; end while;
@@ -261,44 +340,71 @@ algorithm
       next := 2 * x * d - d_before + 2 * before;
       d_before := d;
       d := next;
-    end for;
+    end for;)";
+
+constexpr const char* modelica_sum = R"(
     q := x * b[1] - before[1] + traction_terms[terms * (k - 1) + 1];
-    t := max(coldest, x * b[2] - before[2] + temperature_terms[terms * (k - 1) + 1]);
+    t := max(coldest[law], x * b[2] - before[2] + temperature_terms[terms * (k - 1) + 1]);
     by_x := b[1] + x * d[1] - d_before[1];
-)";
-
-constexpr const char* modelica_end = R"(    if from_z[k] < 1 then
-      traction := traction_unit * (no_slip_traction + way * distance * q);
-      slope := traction_unit / creep_unit * (if z < from_z[k] then q else q + z * per_z * by_x / 2);
-      temperature := temperature_unit * t;
+    if from_z[k] < 1 then
+      traction := traction + weight * traction_unit * (no_slip_traction[law] + way * distance * q);
+      slope := slope + weight * traction_unit / creep_unit * (if z < from_z[k] then q else q + z * per_z * by_x / 2);
+      temperature := temperature + weight * temperature_unit * t;
     else
-      traction := traction_unit * way * q;
-      slope := traction_unit / creep_unit * unit_creep[side] / distance / distance * per_z * by_x;
-      temperature := temperature_unit * t * distance / unit_creep[side];
+      traction := traction + weight * traction_unit * way * q;
+      slope := slope + weight * traction_unit / creep_unit * unit_creep[side] / distance / distance * per_z * by_x;
+      temperature := temperature + weight * temperature_unit * t * distance / unit_creep[side];
     end if;
-  end if;
-end creep_law;
+  end for;
 )";
 
-std::string in_modelica(const CreepLaw& law, const LawUnits& unit, const std::string& comment) {
+constexpr const char* modelica_variables = R"(  Integer first, last, side, k;
+  Real y, weight, more, way, distance, z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
+algorithm
+  traction := 0; slope := 0; temperature := 0; status := 0;
+)";
+
+constexpr const char* modelica_alone = "  first := 1; last := 1; y := 0;\n";
+
+constexpr const char* modelica_by_speed = R"(  if speed < speeds[1] or speed > speeds[laws] then
+    status := 1;
+    return;
+  end if;
+  first := 1;
+  while first + 4 < laws and speed > speeds[first + 4] loop first := first + 4; end while;
+  last := first + 4;
+  y := 4 * log(speed / speeds[first]) / log(speeds[last] / speeds[first]);
+)";
+
+std::string in_modelica(const CreepLawBySpeed& law, const LawUnits& unit,
+                        const std::string& comment) {
+  const bool by_speed = has_speeds(law);
   std::string text = comment + "function creep_law\n  input Real creep;\n";
+  if (by_speed) text += "  input Real speed;\n";
   text += "  output Real traction, slope, temperature;\n  output Integer status;\nprotected\n";
   text += "  constant Integer terms = " + std::to_string(law_terms) + ";\n";
-  for (const auto& [name, number] : constants_of(law, unit))
+  if (by_speed) text += "  constant Integer laws = " + std::to_string(law.laws.size()) + ";\n";
+  for (const auto& [name, number] : constants_of(unit))
     text += std::string("  constant Real ") + name + " = " + shortest(number) + ";\n";
-  for (const LawTable& table : tables_of(law))
+  for (const LawTable& table : all_tables_of(law))
     text += std::string("  constant ") + (counts_pieces(table) ? "Integer " : "Real ") +
             table.name + "[:] = {" + listed(table, "1e300") + "};\n";
-  return text + modelica_algorithm + modelica_end;
+  text += modelica_variables + std::string(by_speed ? modelica_by_speed : modelica_alone);
+  text += modelica_algorithm + std::string(modelica_sum);
+  if (by_speed) text += "  temperature := temperature * speed / speeds[1];\n";
+  return text + "end creep_law;\n";
 }
 
-std::string in_json(const CreepLaw& law, const LawUnits& unit, nlohmann::ordered_json o) {
-  for (const auto& [name, number] : constants_of(law, unit)) o[name] = number;
-  for (const LawTable& table : tables_of(law)) {
+std::string in_json(const CreepLawBySpeed& law, const LawUnits& unit, nlohmann::ordered_json o) {
+  for (const auto& [name, number] : constants_of(unit)) o[name] = number;
+  for (const LawTable& table : all_tables_of(law)) {
     const std::vector<int> counts(table.numbers.begin(), table.numbers.end());
     o[table.name] = counts_pieces(table) ? nlohmann::json(counts) : nlohmann::json(table.numbers);
+    if (table.numbers.size() == 1) o[table.name] = table.numbers.front();
   }
-  o["end_reason"] = {law.driving.reason, law.braking.reason};
+  for (const CreepLaw& one : law.laws)
+    for (const LawHalf* half : {&one.driving, &one.braking})
+      o["end_reason"].push_back(half->reason);
   o["error_estimate"] = {{"traction", law.traction_error * unit.traction},
                          {"temperature", law.temperature_error * unit.temperature}};
   return o.dump(1) + '\n';
@@ -350,7 +456,14 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
   return text;
 }
 
-std::string law_text(const CreepLaw& law, const Scene& of, Formulation formulation,
+const CreepLaw& first_to_end(const CreepLawBySpeed& law, LawHalf CreepLaw::*half) {
+  const auto before = [&](const CreepLaw& a, const CreepLaw& b) {
+    return (a.*half).last_creep < (b.*half).last_creep;
+  };
+  return *std::min_element(law.laws.begin(), law.laws.end(), before);
+}
+
+std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation formulation,
                      const std::optional<LawUnits>& units, Language language) {
   nlohmann::ordered_json scene = scene_of_law(of, formulation);
   const LawUnits unit = units.value_or(LawUnits{});
@@ -358,7 +471,7 @@ std::string law_text(const CreepLaw& law, const Scene& of, Formulation formulati
   if (language == Language::c) return in_c(law, unit, comment("// "));
   if (language == Language::python) return in_python(law, unit, comment("# "));
   if (language == Language::modelica) return in_modelica(law, unit, comment("// "));
-  if (units) scene["speed"] = units->speed;
+  if (units && !has_speeds(law)) scene["speed"] = units->speed;
   if (unit.bulk_temperature) scene["bulk_temperature"] = *unit.bulk_temperature;
   return in_json(law, unit, scene);
 }

@@ -7,6 +7,7 @@
 
 #include "program/names.hpp"
 #include "thermoroll/creep_law.hpp"
+#include "thermoroll/creep_law_by_speed.hpp"
 
 namespace thermoroll {
 
@@ -16,9 +17,13 @@ inline constexpr Name<Language> language_names[] = {{"c", Language::c},
                                                     {"modelica", Language::modelica},
                                                     {"json", Language::json}};
 
-/// A law in a language, with its units where they are known.
-std::string law_text(const CreepLaw& law, const Scene& of, Formulation formulation,
+/// A law in a language, with its units where they are known; the scene and the units of a law for a
+/// range of speeds are those at the lowest.
+std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation formulation,
                      const std::optional<LawUnits>& units, Language language);
+
+/// Of the laws of a range of speeds that whose half ends at the smallest creep.
+const CreepLaw& first_to_end(const CreepLawBySpeed& law, LawHalf CreepLaw::*half);
 
 /// The first and last creep xi*, where requested, and the number of rows.
 struct CurveRange {

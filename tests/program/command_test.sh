@@ -1667,15 +1667,17 @@ law_in() {
   [ $status -eq 0 ] && [ ! -s out ] && [ ! -s err ] || fail "law $*: $status $(cat out err)"
 }
 
-# compiled: makes a program `law` of law.c that reads creeps and prints traction, slope, temperature
-# and status, one line each.
+# compiled [speed]: makes a program `law` of law.c that reads creeps, or creeps and speeds, and prints
+# traction, slope, temperature and status, one line each.
 compiled() {
-  cat law.c - >main.c <<'END'
+  local given='scanf("%lf", &x) == 1' arguments='x'
+  [ "${1:-}" ] && given='scanf("%lf %lf", &x, &v) == 2' arguments='x, v'
+  cat law.c - >main.c <<END
 #include <stdio.h>
 int main(void) {
-  for (double x, q, s, t; scanf("%lf", &x) == 1;) {
-    const int status = creep_law(x, &q, &s, &t);
-    printf("%.17g %.17g %.17g %d\n", q, s, t, status);
+  for (double ${arguments/,/ = 0,}, q, s, t; $given;) {
+    const int status = creep_law($arguments, &q, &s, &t);
+    printf("%.17g %.17g %.17g %d\\n", q, s, t, status);
   }
   return 0;
 }
@@ -1718,7 +1720,7 @@ LawOfAHotWheel() {
   done
   # before its first piece the law is a straight line, next to the traction without slip
   local rest slope
-  rest=$(sed -n 's/^static const double no_slip_creep = \(.*\);/\1/p' law.c)
+  rest=$(sed -n 's/^static const double no_slip_creep\[\] = {\(.*\)};/\1/p' law.c)
   slope=$(calculate "($(calculate "$rest + 4e-5" | ./law | cut -d' ' -f1) - $(calculate "$rest + 2e-5" | ./law | cut -d' ' -f1)) / 2e-5")
   near "$(calculate "$rest + 3e-5" | ./law | cut -d' ' -f2)" "$slope" 1e-7
   near "$(python3 -c "from law import creep_law; print(creep_law($rest + 3e-5)[1])")" "$slope" 1e-7
@@ -1823,17 +1825,125 @@ for creep, line in zip(creeps, lines):
 END
 }
 
-# There is no compiler for Modelica here: its tables are those of C.
+# A law for a range of speeds: at any of them as solve, and the same function in all languages.
+by_speed=("${wheel[@]:0:4}" "${wheel[@]:6}" --roller identical --bulk-temperature 20 --friction-law
+  exponential --friction-temperature 400 --friction-floor 0.3)
+
+LawBySpeedAgreesWithSolve() {
+  law_in c law.c "${by_speed[@]}" --speed 5 --to-speed 20
+  compiled speed
+  local speed creep q slope t code tilt
+  for speed in 5 7.7 20; do
+    for creep in 0.2 -0.3 0.7; do
+      answers solve "${by_speed[@]}" --speed $speed --creep=$creep --format json
+      read -r q slope t code < <(echo "$(value creep_ratio) $speed" | ./law)
+      near "$q" "$(calculate "1.2e7 * $(value traction)")" 1200
+      near "$t" "$(value max_temperature_celsius)" "$(calculate "2e-4 * $(value max_temperature_celsius)")"
+      [ "$code" = 0 ] || fail "status $code"
+    done
+  done
+  tilt=$(printf '%s\n' "0.002001 7.7" "0.001999 7.7" | ./law | awk 'NR == 1 { q = $1 } NR == 2 { printf "%.17g", (q - $1) / 2e-6 }')
+  near "$(echo 0.002 7.7 | ./law | cut -d' ' -f2)" "$tilt" "$(calculate "1e-5 * $tilt")"
+  [ "$(printf '%s\n' "0.002 4.99" "0.002 20.01" "nan 7" "0.002 nan" | ./law | sort -u)" = "0 0 0 1" ] || fail "it goes on"
+  grep -qx "// In SI units: speed = 5 to 20 m/s, load = 1.2e+07 N/m, bulk temperature = 20 degree C." law.c || fail "$(head -20 law.c)"
+  grep -q "^// .* is 1 outside this range\.$" law.c || fail "$(head -20 law.c)"
+}
+
+LawBySpeedRunsInAllLanguages() {
+  local range=("${by_speed[@]}" --speed 5 --to-speed 100 --tolerance 1e-3)
+  law_in c law.c "${range[@]}"
+  compiled speed
+  local speed
+  for speed in 5 5.3 11 40 41 99 100 101; do
+    sed "s/.*/& $speed/" <<<"${creeps_of_both_sides// /$'\n'}"
+  done >creeps
+  law_in modelica law.mo "${range[@]}"
+  same_tables speeds
+  [ "$(sed -n 's/^static const double speeds.* = //p' law.c | tr ',' '\n' | wc -l)" -gt 5 ] || fail "one piece"
+  runs_in_modelica
+  law_in python law.py "${range[@]}"
+  law_in json law.json "${range[@]}"
+  python3 - <<'END' || fail "Python, JSON and C differ"
+import json
+import law
+tables = json.load(open("law.json"))
+for name in ("speeds", "no_slip_creep", "unit_creep", "first_piece", "from_z", "traction_terms", "temperature_terms"):
+    assert tables[name] == getattr(law, name), name
+assert "speed" not in tables and len(tables["end_reason"]) == 2 * len(law.speeds)
+for given, line in zip(open("creeps"), open("expected"), strict=True):
+    expected, found = [float(x) for x in line.split()], law.creep_law(*map(float, given.split()))
+    assert all(abs(a - b) <= 1e-12 * abs(a) + 1e-15 for a, b in zip(expected, found, strict=True)), (given, expected, found)
+END
+}
+
+# Modelica has the tables of C, and its statements, translated to Python, give the values of C.
 LawInModelicaHasTheNumbers() {
   law_in c law.c "${hot_scene[@]}"
   law_in modelica law.mo "${hot_scene[@]}"
+  same_tables
+  compiled
+  tr ' ' '\n' <<<"$creeps_of_both_sides" >creeps
+  runs_in_modelica
+}
+
+same_tables() {
   local name
-  for name in unit_creep last_creep first_piece from_z to_z traction_terms temperature_terms; do
+  for name in no_slip_creep no_slip_traction coldest unit_creep last_creep first_piece from_z to_z traction_terms \
+    temperature_terms "$@"; do
     sed -n "s/^static const [a-z]* $name\[\] = //p" law.c >tables_c
-    sed -n "s/^  constant [A-Za-z]* $name\[:\] = //p" law.mo >tables_modelica
+    sed -n "s/^  constant [A-Za-z]* $name\[:\] = //p" law.mo | sed 's/1e300/HUGE_VAL/g' >tables_modelica
     [ -s tables_c ] && cmp tables_c tables_modelica || fail "$name differs"
   done
   [ "$(grep -c '^end creep_law;$' law.mo)" = 1 ] || fail "no end"
+}
+
+# runs_in_modelica: law.mo against ./law at the lines of the file creeps.
+runs_in_modelica() {
+  ./law <creeps >expected
+  python3 - <<'END' || fail "Modelica and C differ"
+import math, re
+class Array(list):
+    def __getitem__(self, i): return list.__getitem__(self, int(i) - 1)
+    def __add__(self, other): return Array(a + b for a, b in zip(self, other, strict=True))
+    def __sub__(self, other): return Array(a - b for a, b in zip(self, other, strict=True))
+    def __rmul__(self, factor): return Array(factor * a for a in self)
+declared, algorithm = open("law.mo").read().split("\nalgorithm\n")
+def expression(e):
+    e = re.sub(r"\(if ([^()]*) then ([^()]*) else ([^()]*)\)", r"((\2) if (\1) else (\3))", e)
+    e = re.sub(r"^if (.*) then (.*) else (.*)$", r"(\2) if (\1) else (\3)", e)
+    return re.sub(r"\{([^{}]*)\}", r"Array([\1])", e)
+def loop(r):
+    ends = [expression(e) for e in r.split(":")]
+    return f"range({ends[0]}, {ends[-1]} + 1)" if len(ends) == 2 else f"range({ends[0]}, {ends[2]} - 1, {ends[1]})"
+inputs = re.findall(r"^  input Real (\w+);", declared, re.M)
+lines = [f"def creep_law({', '.join(inputs)}):"]
+for name, value in re.findall(r"^  constant \w+ (\w+)(?:\[:\])? = (.*);$", declared, re.M):
+    lines.append(f"    {name} = {expression(value)}")
+depth, at = 1, 0
+step = re.compile(r"\s*(?:for (\w+) in ([^;]+?) loop|while ([^;]+?) loop|if ([^;]+?) then(?=\n)|(else)(?=\n)|"
+                  r"(end (?:for|while|if));|(return);|(\w+) := (.*?);)")
+while not algorithm[at:].strip().startswith("end creep_law;"):
+    m = step.match(algorithm, at)
+    assert m, algorithm[at:at + 80]
+    each, within, until, case, other, end, leave, name, value = m.groups()
+    at = m.end()
+    depth -= bool(other or end)
+    line = (f"for {each} in {loop(within)}:" if each else f"while {until}:" if until else f"if {case}:" if case else
+            "else:" if other else "return traction, slope, temperature, status" if leave else
+            f"{name} = {expression(value)}" if name else "pass")
+    lines.append("    " * depth + line)
+    depth += bool(each or until or case or other)
+assert depth == 1 and at > 500
+lines.append("    return traction, slope, temperature, status")
+space = {"Array": Array, "sqrt": math.sqrt, "log": math.log}
+exec("\n".join(lines), space)
+count = 0
+for given, line in zip(open("creeps"), open("expected"), strict=True):
+    expected, found = [float(x) for x in line.split()], space["creep_law"](*map(float, given.split()))
+    assert all(abs(a - b) <= 1e-12 * abs(a) + 1e-15 for a, b in zip(expected, found, strict=True)), (given, expected, found)
+    count += expected[3] == 0
+assert count > 10, count
+END
 }
 
 # With data in SI units: the creep as a fraction of the speed, N/m, and degree C.
@@ -1938,6 +2048,9 @@ BadCreepLaws() {
   refuses 2 "--peclet and --heating exclude data in SI units" law "${wheel[@]}" --peclet 100
   refuses 2 "peclet = -1 is not allowed" law --friction 0.6 --peclet -1
   refuses 1 "cannot write nowhere/law.c" $law --output nowhere/law.c
+  refuses 2 "for data in SI units only: --to-speed" $law --to-speed 10
+  refuses 2 "to-speed = 22.2 is not allowed: it must be above speed = 22.2" law "${wheel[@]}" --to-speed 22.2
+  refuses 2 "tolerance = 2e-07 is not allowed: it must be from 3e-7 to 1e-2" law "${wheel[@]}" --to-speed 30 --tolerance 2e-7
 }
 
 # --- The other subcommands ------------------------------------------------------------------------

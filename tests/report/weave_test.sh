@@ -394,18 +394,24 @@ END
     '<figure class="table cards by-number" id="tbl:t">' '[id="tbl:t"] td:nth-child(2) { --column: "b x"; }'
 }
 
-# A path keeps its corners and its ends, and no point that lies on the line; a label is one text; gnuplot's own
-# name of a curve is left out.
+# A path keeps its corners and its ends, and no point that lies on the line; a label is one text; marks stand in
+# groups; gnuplot's own name of a curve is left out.
 DrawingsAreShort() {
   draw one
   sed -i "s|d='M0,0 L2,2'|d='M0,0 L1,1.02 L2,2 L3,0.5 L4,0.5 M7,7 L8,7 L9,7'|
     s|</g></svg>|<g transform=\"translate(1.04,1.96)\" stroke=\"none\" fill=\"currentColor\"  text-anchor=\"end\"><text><tspan> 5</tspan></text></g></g></svg>|
     s|<g fill=\"none\"|<title>one_plot_2a</title><title>curve</title>&|" build/figures/one.svg
+  local mark="<use xlink:href='#gpPt0' transform='translate(10,5) scale(2.50)'"
+  local green="$mark color='rgb(  0, 158, 115)'/>"
+  sed -i "s|<polygon fill = 'rgb(  0, 114, 178)'|$mark/>\n${mark/10/20}/>$green$mark/>&|" build/figures/one.svg
   chapter <<'END'
 ![C.](figures/one.svg){#fig:one fig-alt="A"}
 END
   expect 'Figure 1. C.'
   expect_html "d='m0 0 2 2 1-1.5 1 0m3 6.5 2 0'" '<text transform="translate(1.0,2.0)" text-anchor="end">5</text>' '<title>curve</title>'
+  # marks of one scale and colour are one group, in the places where they were
+  expect_html "<g transform='scale(2.50)'><use href='#one-p0' x='4.00' y='2.00'/><use href='#one-p0' x='8.00' y='2.00'/></g>" \
+    "</g><g transform='scale(2.50)' color='var(--ink-009e73)'><use href='#one-p0' x='4.00' y='2.00'/></g><g transform='scale(2.50)'><use"
   ! grep -q one_plot_2a page.html || fail "gnuplot's name of a curve is in the page"
 }
 
@@ -731,7 +737,7 @@ int c;
 See @lst:both.
 END
   expect '⟨The first 2.1⟩⟨both 2⟩ += part 1 of 2 ↓' '⟨The second 2.2⟩⟨both 2⟩ += part 2 of 2 ↑' \
-    'used in ⟨The first 2.1⟩' 'See ⟨both 2⟩.' '⟨The first 2.1⟩ one.md:10, ⟨The second 2.2⟩ one.md:15'
+    'used in ⟨The first 2.1⟩' 'See ⟨both 2⟩.' '⟨The first 2.1⟩, ⟨The second 2.2⟩'
   expect_html 'class="chunk more" id="lst:both:2"'
 }
 

@@ -14,12 +14,14 @@
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/creep_law.hpp"
+#include "thermoroll/creep_law_by_speed.hpp"
 
 namespace {
 
 using thermoroll::CoupledSolution;
 using thermoroll::creep_law;
 using thermoroll::CreepLaw;
+using thermoroll::CreepLawBySpeed;
 using thermoroll::Direction;
 using thermoroll::evaluate;
 using thermoroll::Formulation;
@@ -385,10 +387,13 @@ TEST(CreepLaw, HasTheHalvesOfItsRange) {
 
 TEST(CreepLaw, EvaluationAllocatesNothing) {
   const CreepLaw law = law_of(hot());
+  const CreepLawBySpeed by_speed{{1, 2, 4, 8, 16}, {law, law, law, law, law}, 0, 0, 0};
   const std::size_t before = allocations;
   double sum = 0;
-  for (double creep = -6; creep < 6; creep += 0.01)
+  for (double creep = -6; creep < 6; creep += 0.01) {
     sum += evaluate(law, creep).value_or(LawValue{}).traction;
+    sum += evaluate(by_speed, creep, 3).value_or(LawValue{}).traction;
+  }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(before, 0);
   EXPECT_LT(std::abs(sum), 1000);

@@ -1,0 +1,175 @@
+// Laws for a range of speeds against the solver, and against the laws that they join.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "thermoroll/coupled.hpp"
+#include "thermoroll/creep_law_by_speed.hpp"
+
+namespace {
+
+using thermoroll::CoupledSolution;
+using thermoroll::creep_law_by_speed;
+using thermoroll::CreepLaw;
+using thermoroll::CreepLawBySpeed;
+using thermoroll::CreepRange;
+using thermoroll::Direction;
+using thermoroll::evaluate;
+using thermoroll::exponential_friction;
+using thermoroll::Formulation;
+using thermoroll::LawHalf;
+using thermoroll::LawValue;
+using thermoroll::Quantity;
+using thermoroll::Scene;
+using thermoroll::SceneBySpeed;
+
+// Steel on steel, Pe 100 at speed 1; T* per kelvin falls with the speed.
+Scene steel(double speed) { return {0.4, 100 * speed, 0.01, {1, 0.01}}; }
+
+Scene hot(double speed) {
+  Scene scene = steel(speed);
+  scene.law = exponential_friction({0.15 / speed, 0.3});
+  return scene;
+}
+
+// A hot wheel on a cold rail, of another material and without a law of friction.
+Scene hot_wheel(double speed) {
+  Scene scene{0.4, 100 * speed, 0.02, {2, 0.01, 150 * speed}};
+  scene.bulk_difference = 0.02 / speed;
+  return scene;
+}
+
+// Much heat, so that the whole curve moves with the speed.
+Scene soft(double speed) { return {0.6, 20 * speed, 0.5}; }
+
+CreepLawBySpeed law_of(const SceneBySpeed& at, double to, double tolerance = 1e-4,
+                       const CreepRange& creeps = {-4, 4}) {
+  return creep_law_by_speed(at, Formulation::corrected, 1, to, tolerance, creeps);
+}
+
+// The largest error over the stated one, of traction, border and temperature, at random creeps and
+// speeds; the creep without slip is that of the law at the nearest speed, to far below its size.
+double worst_error(const SceneBySpeed& scene_at, double to, double tolerance, int points) {
+  const CreepLawBySpeed law = law_of(scene_at, to, tolerance);
+  std::mt19937 random(17);
+  std::uniform_real_distribution<> share(0, 1);
+  double worst = 0;
+  for (int i = 0; i < points; ++i) {
+    const double speed = std::pow(to, share(random)), z = 0.1 + 1.8 * share(random);
+    const bool brakes = i % 2 == 1;
+    const LawHalf& half = brakes ? law.laws[0].braking : law.laws[0].driving;
+    const double size = half.unit_creep * (z < 1 ? z * z : 1 / (2 - z));
+    Scene scene = scene_at(speed);
+    scene.direction = brakes ? Direction::braking : Direction::driving;
+    const CoupledSolution x = thermoroll::solve_coupled(
+        scene, {Formulation::corrected, tolerance / 100}, {Quantity::creep, size});
+    const LawValue y = evaluate(law, brakes ? -size : size, speed).value();
+    const auto error = [&](double value, Quantity q, double stated) {
+      worst = std::max(worst, std::abs(value - x.value(q)) / (stated + x.error(q)));
+    };
+    error(brakes ? -y.traction : y.traction, Quantity::traction, law.traction_error);
+    error(y.border, Quantity::stick_slip_border, law.border_error);
+    // Unit creeps at other speeds are up to a twentieth smaller or larger here.
+    error(y.temperature, Quantity::max_temperature,
+          law.temperature_error / speed * std::max(1.0, 0.95 * size / half.unit_creep));
+  }
+  return worst;
+}
+
+TEST(CreepLawBySpeed, HoldsItsErrors) {
+  EXPECT_LT(worst_error(steel, 30, 1e-4, 30), 1);
+  EXPECT_LT(worst_error(hot, 10, 1e-4, 30), 1);
+  EXPECT_LT(worst_error(hot, 3, 1e-6, 30), 1);
+  EXPECT_LT(worst_error(hot_wheel, 3, 1e-3, 30), 1);
+  EXPECT_LT(worst_error(soft, 3, 1e-4, 30), 1);
+}
+
+// Here the weights are 0 and 1, but for the rounding of logarithms, some 1e-15 of each law.
+TEST(CreepLawBySpeed, IsItsLawAtEachSpeed) {
+  const CreepLawBySpeed law = law_of(hot, 100);
+  ASSERT_EQ(law.speeds.size(), law.laws.size());
+  EXPECT_GT(law.speeds.size(), 5);
+  EXPECT_EQ(law.speeds.size() % 4, 1);
+  EXPECT_EQ(law.speeds.front(), 1);
+  EXPECT_EQ(law.speeds.back(), 100);
+  for (std::size_t i = 0; i < law.speeds.size(); ++i)
+    for (const double creep : {-3.0, -0.2, -0.01, 0.0, 0.05, 0.24, 0.27, 2.0}) {
+      const LawValue one = evaluate(law.laws[i], creep).value();
+      const LawValue sum = evaluate(law, creep, law.speeds[i]).value();
+      EXPECT_NEAR(sum.traction, one.traction, 1e-13);
+      EXPECT_NEAR(sum.slope, one.slope, 1e-13 * 4);
+      EXPECT_NEAR(sum.temperature, one.temperature, 1e-13 * (1 + one.temperature));
+      EXPECT_NEAR(sum.border, one.border, 1e-13);
+    }
+}
+
+// The central difference over h has an error of h^2 / 6 times a third derivative, of some hundreds.
+TEST(CreepLawBySpeed, SlopeIsTheDerivative) {
+  const CreepLawBySpeed law = law_of(hot, 3);
+  const double h = 1e-5;
+  for (const double creep : {-0.5, -0.1, 0.02, 0.2, 0.4}) {
+    const auto at = [&](double x) { return evaluate(law, x, 1.7).value(); };
+    EXPECT_NEAR(at(creep).slope, (at(creep + h).traction - at(creep - h).traction) / (2 * h), 1e-7);
+  }
+}
+
+// Contact is lost at the creep 7.78 where Pe is 0.5, and before that where it is larger.
+TEST(CreepLawBySpeed, EndsWithTheFirstOfItsLaws) {
+  const CreepLawBySpeed law = law_of(
+      [](double speed) {
+        return Scene{0.6, 0.5 * speed, 1};
+      },
+      1.3, 1e-3, {0, 20});
+  double last = 20;
+  for (const CreepLaw& one : law.laws) last = std::min(last, one.driving.last_creep);
+  EXPECT_LT(last, law.laws.front().driving.last_creep - 0.5);
+  EXPECT_TRUE(evaluate(law, last * (1 - 1e-9), 1));
+  EXPECT_FALSE(evaluate(law, last * (1 + 1e-9), 1));
+  EXPECT_FALSE(evaluate(law, 0.1, 1 - 1e-9));
+  EXPECT_FALSE(evaluate(law, 0.1, 1.3 + 1e-9));
+  EXPECT_FALSE(evaluate(law, 0.1, std::nan("")));
+  EXPECT_FALSE(evaluate(law, -0.1, 1.1));  // not asked for
+}
+
+// Laws that have nothing to do with each other.
+TEST(CreepLawBySpeed, IsNotMadeOfLawsThatJump) {
+  try {
+    law_of([](double speed) { return Scene{speed < 1.5 ? 0.3 : 0.4, 100 * speed, 0}; }, 2);
+    FAIL() << "a law across a jump";
+  } catch (const thermoroll::NotResolved& error) {
+    const std::string said = error.what();
+    double a = 0, b = 0;
+    ASSERT_EQ(std::sscanf(said.c_str(), "law: not resolved between the speeds %lf and %lf", &a, &b),
+              2)
+        << said;
+    EXPECT_LE(a, 1.5);
+    EXPECT_GE(b, 1.5);
+    EXPECT_LT(b / a, 1.02);
+  }
+}
+
+TEST(CreepLawBySpeed, RefusalsNameTheSpeed) {
+  const auto melts = [](double speed) {
+    return speed < 2 ? steel(speed) : Scene{0.6, 1e5, 500, {}, Direction::driving};
+  };
+  try {
+    law_of(melts, 2, 3e-7);
+    FAIL() << "a law of no scene";
+  } catch (const thermoroll::NotResolved& error) {
+    EXPECT_EQ(std::string(error.what()).find("at the speed 2: "), 0) << error.what();
+  }
+}
+
+TEST(CreepLawBySpeed, RefusesWhatMakesNoSense) {
+  EXPECT_THROW(law_of(steel, 1), std::invalid_argument);
+  EXPECT_THROW(law_of(steel, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(law_of(steel, 2, 2e-7), std::invalid_argument);
+  EXPECT_THROW(law_of(steel, 2, 0.1), std::invalid_argument);
+  EXPECT_THROW(creep_law_by_speed(steel, Formulation::corrected, 0, 1), std::invalid_argument);
+}
+
+}  // namespace
