@@ -82,10 +82,33 @@ double worst_error(const SceneBySpeed& scene_at, double to, double tolerance, in
 
 TEST(CreepLawBySpeed, HoldsItsErrors) {
   EXPECT_LT(worst_error(steel, 30, 1e-4, 30), 1);
+  EXPECT_LT(worst_error(steel, 6, 1e-4, 30), 1);  // one piece, about as wide as may be
   EXPECT_LT(worst_error(hot, 10, 1e-4, 30), 1);
   EXPECT_LT(worst_error(hot, 3, 1e-6, 30), 1);
   EXPECT_LT(worst_error(hot_wheel, 3, 1e-3, 30), 1);
   EXPECT_LT(worst_error(soft, 3, 1e-4, 30), 1);
+}
+
+TEST(CreepLawBySpeed, ErrorsIncludeThoseOfItsLaws) {
+  const CreepLawBySpeed law = law_of(hot_wheel, 2);
+  for (std::size_t i = 0; i < law.laws.size(); ++i) {
+    EXPECT_GE(law.traction_error, law.laws[i].traction_error);
+    EXPECT_GE(law.border_error, law.laws[i].border_error);
+    EXPECT_GE(law.temperature_error, law.laws[i].temperature_error * law.speeds[i]);
+  }
+}
+
+// With r the ratio of the outer speeds, the polynomial through five laws errs by 3.28 / 5! (ln r / 4)^5
+// times the fifth derivative by ln V halfway to the second. T* goes about as the speed to -1/2, so
+// that this derivative is 1/32 of it.
+TEST(CreepLawBySpeed, ErrorsIncludeThoseBetweenItsLaws) {
+  const double ratio = 6;
+  const CreepLawBySpeed law = law_of(steel, ratio);
+  ASSERT_EQ(law.laws.size(), 5);
+  const CreepLaw& fastest = law.laws.back();
+  const double hottest = evaluate(fastest, fastest.driving.unit_creep).value().temperature;
+  const double between = 3.28 / 120 * std::pow(std::log(ratio) / 4, 5) / 32 * hottest;
+  EXPECT_GT(law.temperature_error, fastest.temperature_error * ratio + between);
 }
 
 // Here the weights are 0 and 1, but for the rounding of logarithms, some 1e-15 of each law.
