@@ -98,9 +98,9 @@ TEST(CreepLawBySpeed, ErrorsIncludeThoseOfItsLaws) {
   }
 }
 
-// With r the ratio of the outer speeds, the polynomial through five laws errs by 3.28 / 5! (ln r / 4)^5
-// times the fifth derivative by ln V halfway to the second. T* goes about as the speed to -1/2, so
-// that this derivative is 1/32 of it.
+// With r the ratio of the outer speeds, the polynomial through five laws errs by 3.28 / 5! (ln r /
+// 4)^5 times the fifth derivative by ln V halfway to the second. T* goes about as the speed to
+// -1/2, so that this derivative is 1/32 of it.
 TEST(CreepLawBySpeed, ErrorsIncludeThoseBetweenItsLaws) {
   const double ratio = 6;
   const CreepLawBySpeed law = law_of(steel, ratio);
