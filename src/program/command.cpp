@@ -296,17 +296,20 @@ std::string rounded_towards_zero(double x) {
   return digits;
 }
 
-/// Of a curve that was to reach these creeps.
-std::vector<std::string> notes_on_ends(const CreepLaw& law, const std::vector<double>& creeps,
+std::string note_on(const LawEnd& end, const std::optional<LawUnits>& units,
+                    const std::string& when = "") {
+  return (units ? "the curve ends at the creep ratio " : "the curve ends at the creep ") +
+         rounded_towards_zero(end.creep * (units ? units->creep : 1)) + when + ": " + end.reason;
+}
+
+/// Of a curve that was to go from one creep to another.
+std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double to,
                                        const std::optional<LawUnits>& units) {
   std::vector<std::string> notes;
-  for (const double creep : creeps) {
+  for (const double creep : {from, to}) {
     const auto& [half, sign, size] = side_of(law, creep);
     if (size <= half.last_creep) continue;
-    const double last = law.no_slip_creep + sign * half.last_creep;
-    notes.push_back(
-        (units ? "the curve ends at the creep ratio " : "the curve ends at the creep ") +
-        rounded_towards_zero(last * (units ? units->creep : 1)) + ": " + half.reason);
+    notes.push_back(note_on({law.no_slip_creep + sign * half.last_creep, half.reason}, units));
   }
   return notes;
 }
@@ -316,11 +319,11 @@ constexpr double law_tolerance = 1e-4;
 CreepLawBySpeed law_of(const AllCreeps& c, const Maybe& to_speed, double tolerance) {
   if (!to_speed) {
     const CreepLaw law = creep_law(c.scene, c.formulation, tolerance);
-    return {{c.units ? c.units->speed : 0},
-            {law},
-            law.traction_error,
-            law.border_error,
-            law.temperature_error};
+    CreepLawBySpeed alone{{c.units ? c.units->speed : 1}, {law}, 0, 0, 0, {}};
+    alone.traction_error = law.traction_error;
+    alone.border_error = law.border_error;
+    alone.temperature_error = law.temperature_error;
+    return alone;
   }
   if (!c.physical) throw std::invalid_argument("for data in SI units only: --to-speed");
   const auto at = [&](double speed) {
@@ -338,8 +341,11 @@ void run_law(const Options& o) {
             o.output}});
   say_reference(o.of_scene);
   const double far = 20 * c.scene.friction / pi;
-  print_notes(notes_on_ends(first_to_end(law, &CreepLaw::braking), {-far}, c.units));
-  print_notes(notes_on_ends(first_to_end(law, &CreepLaw::driving), {far}, c.units));
+  for (const bool brakes : {true, false}) {
+    const LawEnd end = earliest_end(law, brakes);
+    const char* when = o.to_speed ? " at the earliest" : "";
+    if (std::abs(end.creep) < far) print_notes({note_on(end, c.units, when)});
+  }
   if (c.physical) print_notes(notes_on(*c.physical, 0, 0));
 }
 
@@ -400,7 +406,7 @@ void run_creep_curve(const Options& o) {
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);
-  print_notes(notes_on_ends(law, {from, to}, c.units));
+  print_notes(notes_on_ends(law, from, to, c.units));
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));
 }
 
@@ -566,7 +572,7 @@ void add_creep_law(CLI::App& program, Options& o) {
       ->type_name(joined(words(language_names), "|"))
       ->check(one_of("format", words(language_names)));
   add_number(command, "to-speed", o.to_speed,
-             "m/s, with SI data: a law for creep and speed, from --speed to this");
+             "m/s, with SI data: a law for creep and speed, from --speed to this; from 3e-7 on");
   add_output(command, o);
 }
 

@@ -102,7 +102,13 @@ bool has_speeds(const CreepLawBySpeed& law) { return law.laws.size() > 1; }
 
 std::vector<LawTable> all_tables_of(const CreepLawBySpeed& law) {
   std::vector<LawTable> all = states_of(law);
-  if (has_speeds(law)) all.push_back({"speeds", law.speeds});
+  if (has_speeds(law)) {
+    LawTable scale{"share_creep"};
+    for (std::size_t i = 0; i < law.laws.size(); ++i)
+      for (const bool brakes : {false, true}) scale.numbers.push_back(scale_of(law, i, brakes));
+    all.push_back({"speeds", law.speeds});
+    all.push_back(scale);
+  }
   for (const LawTable& table : tables_of(law)) all.push_back(table);
   return all;
 }
@@ -143,21 +149,20 @@ std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
                           "largest rise over the half-space's bulk in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
+  text += mark + "Slope: of the traction by the creep, without an error of its own.\n";
   if (by_speed)
-    text += mark + "Dimensionless data: of the lowest speed. The status is 1 outside this range.\n";
+    text += mark + "Dimensionless data: at the lowest speed. Outside of these the status is 1.\n";
   if (units) text += mark + "Strains are small up to a creep of 0.1 only.\n";
-  text += mark + "Errors: of the traction " + rounded(law.traction_error * unit.traction, 2) +
-          ", of the temperature " + rounded(law.temperature_error * unit.temperature, 2) + ";\n" +
-          mark + "in full slip the latter grows like the creep from where all slips on.\n";
-  for (const auto side : {&CreepLaw::driving, &CreepLaw::braking}) {
-    const CreepLaw& first = first_to_end(law, side);
-    const LawHalf& half = first.*side;
-    const double size = side == &CreepLaw::driving ? half.last_creep : -half.last_creep;
-    text += mark + (side == &CreepLaw::driving ? "Driving" : "Braking");
-    text += half.reason.empty()
-                ? " has no end.\n"
-                : " ends at the creep " + shortest((first.no_slip_creep + size) * unit.creep) +
-                      (by_speed ? " at the earliest: " : ": ") + half.reason + ".\n";
+  const double q = 1.05 * law.traction_error, t = 1.05 * law.temperature_error;  // rounded upwards
+  text += mark + "Errors: of the traction " + rounded(q * unit.traction, 2) +
+          ", of the temperature " + rounded(t * unit.temperature, 2) + ";\n" + mark +
+          "in full slip the latter grows like the creep from where all slips on.\n";
+  for (const bool brakes : {false, true}) {
+    const LawEnd end = earliest_end(law, brakes);
+    text += mark + (brakes ? "Braking" : "Driving");
+    text += end.reason.empty() ? " has no end.\n"
+                               : " ends at the creep " + shortest(end.creep * unit.creep) +
+                                     (by_speed ? " at the earliest: " : ": ") + end.reason + ".\n";
   }
   return text + mark + "Beyond an end the status is 1 and all else is 0.\n";
 }
@@ -211,24 +216,37 @@ int creep_law(double creep, double *traction, double *slope, double *temperature
 
 constexpr const char* c_by_speed = R"(
 int creep_law(double creep, double speed, double *traction, double *slope, double *temperature) {
-  double sum[3] = {0, 0, 0}, q, dq, t;
+  double weight[5], rest = 0, unit[2] = {0, 0}, sum[3] = {0, 0, 0}, q, dq, t;
   int first = 0;
   *traction = *slope = *temperature = 0;
-  if (!(speeds[0] <= speed && speed <= speeds[laws - 1])) return 1;
+  if (!(speeds[0] <= speed && speed <= speeds[laws - 1] && isfinite(creep))) return 1;
   while (first + 5 < laws && speed > speeds[first + 4]) first += 4;
   const double y = 4 * log(speed / speeds[first]) / log(speeds[first + 4] / speeds[first]);
   for (int i = 0; i < 5; ++i) {
-    double weight = 1;
+    weight[i] = 1;
     for (int j = 0; j < 5; ++j)
-      if (j != i) weight *= (y - j) / (i - j);
-    if (law_at(first + i, creep, &q, &dq, &t)) return 1;
-    sum[0] += weight * q;
-    sum[1] += weight * dq;
-    sum[2] += weight * t;
+      if (j != i) weight[i] *= (y - j) / (i - j);
+    rest += weight[i] * no_slip_creep[first + i];
+    for (int side = 0; side < 2; ++side)
+      unit[side] += weight[i] * share_creep[2 * (first + i) + side];
+  }
+  const double more = creep / creep_unit - rest;
+  const int brakes = more < 0;
+  const double share = fabs(more) / unit[brakes];
+  for (int i = 0; i < 5; ++i) {
+    const int law = first + i;
+    const double own = share_creep[2 * law + brakes];
+    const double stretch = share > 1 ? sqrt(speed / speeds[law]) : 1;
+    const double size = own * (share + (stretch - 1) * (share - 1));
+    const double there = no_slip_creep[law] + (brakes ? -size : size);
+    if (law_at(law, creep_unit * there, &q, &dq, &t)) return 1;
+    sum[0] += weight[i] * q;
+    sum[1] += weight[i] * stretch * own / unit[brakes] * dq;
+    sum[2] += weight[i] * speeds[law] / speeds[0] * t;
   }
   *traction = sum[0];
   *slope = sum[1];
-  *temperature = sum[2] * speed / speeds[0];
+  *temperature = sum[2];
   return 0;
 }
 )";
@@ -288,20 +306,29 @@ constexpr const char* python_by_speed = R"(
 
 def creep_law(creep, speed):
     """Traction, its slope, temperature and status at a creep and a speed."""
-    if not speeds[0] <= speed <= speeds[-1]:
+    if not (speeds[0] <= speed <= speeds[-1] and math.isfinite(creep)):
         return 0.0, 0.0, 0.0, 1
     first = 0
     while first + 5 < len(speeds) and speed > speeds[first + 4]:
         first += 4
     y = 4 * math.log(speed / speeds[first]) / math.log(speeds[first + 4] / speeds[first])
+    weights = [math.prod((y - j) / (i - j) for j in range(5) if j != i) for i in range(5)]
+    mean = lambda table: sum(w * x for w, x in zip(weights, table))
+    more = creep / creep_unit - mean(no_slip_creep[first:])
+    side, sign = (1, -1) if more < 0 else (0, 1)
+    unit = mean(share_creep[2 * first + side::2])
+    share = abs(more) / unit
     traction = slope = temperature = 0.0
-    for i in range(5):
-        q, dq, t, status = law_at(first + i, creep)
+    for law, weight in enumerate(weights, first):
+        own = share_creep[2 * law + side]
+        stretch = math.sqrt(speed / speeds[law]) if share > 1 else 1
+        size = own * (share + (stretch - 1) * (share - 1))
+        q, dq, t, status = law_at(law, creep_unit * (no_slip_creep[law] + sign * size))
         if status:
             return 0.0, 0.0, 0.0, 1
-        weight = math.prod((y - j) / (i - j) for j in range(5) if j != i)
-        traction, slope, temperature = traction + weight * q, slope + weight * dq, temperature + weight * t
-    return traction, slope, temperature * speed / speeds[0], 0
+        traction, slope = traction + weight * q, slope + weight * stretch * own / unit * dq
+        temperature += weight * speeds[law] / speeds[0] * t
+    return traction, slope, temperature, 0
 )";
 
 std::string in_python(const CreepLawBySpeed& law, const LawUnits& unit,
@@ -314,16 +341,7 @@ std::string in_python(const CreepLawBySpeed& law, const LawUnits& unit,
   return text + python_function + (has_speeds(law) ? python_by_speed : python_alone);
 }
 
-constexpr const char* modelica_algorithm = R"(  for law in first:last loop
-    weight := 1;
-    for j in first:last loop
-      weight := if j == law then weight else weight * (y - (j - first)) / (law - j);
-    end for;
-    more := creep / creep_unit - no_slip_creep[law];
-    side := if more < 0 then 2 * law else 2 * law - 1;
-    way := if more < 0 then -1 else 1;
-    distance := way * more;
-    if distance > last_creep[side] then
+constexpr const char* modelica_piece = R"(    if distance > last_creep[side] then
       traction := 0; slope := 0; temperature := 0; status := 1;
       return;
     end if;
@@ -348,23 +366,30 @@ constexpr const char* modelica_sum = R"(
     by_x := b[1] + x * d[1] - d_before[1];
     if from_z[k] < 1 then
       traction := traction + weight * traction_unit * (no_slip_traction[law] + way * distance * q);
-      slope := slope + weight * traction_unit / creep_unit * (if z < from_z[k] then q else q + z * per_z * by_x / 2);
-      temperature := temperature + weight * temperature_unit * t;
+      slope := slope + weight * steeper * traction_unit / creep_unit * (if z < from_z[k] then q else q + z * per_z * by_x / 2);
+      temperature := temperature + weight * warmer * temperature_unit * t;
     else
       traction := traction + weight * traction_unit * way * q;
-      slope := slope + weight * traction_unit / creep_unit * unit_creep[side] / distance / distance * per_z * by_x;
-      temperature := temperature + weight * temperature_unit * t * distance / unit_creep[side];
+      slope := slope + weight * steeper * traction_unit / creep_unit * unit_creep[side] / distance / distance * per_z * by_x;
+      temperature := temperature + weight * warmer * temperature_unit * t * distance / unit_creep[side];
     end if;
   end for;
 )";
 
-constexpr const char* modelica_variables = R"(  Integer first, last, side, k;
-  Real y, weight, more, way, distance, z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
+constexpr const char* modelica_variables = R"(  Integer first, side, k;
+  Real y, weight, weights[5], rest, unit[2], more, way, share, own, stretch, steeper, warmer, distance;
+  Real z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
 algorithm
   traction := 0; slope := 0; temperature := 0; status := 0;
 )";
 
-constexpr const char* modelica_alone = "  first := 1; last := 1; y := 0;\n";
+constexpr const char* modelica_alone = R"(  weight := 1; steeper := 1; warmer := 1;
+  more := creep / creep_unit - no_slip_creep[1];
+  way := if more < 0 then -1 else 1;
+  for law in 1:1 loop
+    side := if more < 0 then 2 else 1;
+    distance := way * more;
+)";
 
 constexpr const char* modelica_by_speed = R"(  if speed < speeds[1] or speed > speeds[laws] then
     status := 1;
@@ -372,8 +397,26 @@ constexpr const char* modelica_by_speed = R"(  if speed < speeds[1] or speed > s
   end if;
   first := 1;
   while first + 4 < laws and speed > speeds[first + 4] loop first := first + 4; end while;
-  last := first + 4;
-  y := 4 * log(speed / speeds[first]) / log(speeds[last] / speeds[first]);
+  y := 4 * log(speed / speeds[first]) / log(speeds[first + 4] / speeds[first]);
+  weights := {1, 1, 1, 1, 1}; rest := 0; unit := {0, 0};
+  for i in 1:5 loop
+    for j in 1:5 loop
+      weights[i] := if j == i then weights[i] else weights[i] * (y - (j - 1)) / (i - j);
+    end for;
+    rest := rest + weights[i] * no_slip_creep[first + i - 1];
+    unit := unit + weights[i] * {share_creep[2 * (first + i) - 3], share_creep[2 * (first + i) - 2]};
+  end for;
+  more := creep / creep_unit - rest;
+  way := if more < 0 then -1 else 1;
+  share := if more < 0 then -more / unit[2] else more / unit[1];
+  for law in first:first + 4 loop
+    weight := weights[law - first + 1];
+    side := if more < 0 then 2 * law else 2 * law - 1;
+    own := share_creep[side];
+    stretch := if share > 1 then sqrt(speed / speeds[law]) else 1;
+    steeper := stretch * own / (if more < 0 then unit[2] else unit[1]);
+    warmer := speeds[law] / speeds[1];
+    distance := own * (share + (stretch - 1) * (share - 1));
 )";
 
 std::string in_modelica(const CreepLawBySpeed& law, const LawUnits& unit,
@@ -390,9 +433,7 @@ std::string in_modelica(const CreepLawBySpeed& law, const LawUnits& unit,
     text += std::string("  constant ") + (counts_pieces(table) ? "Integer " : "Real ") +
             table.name + "[:] = {" + listed(table, "1e300") + "};\n";
   text += modelica_variables + std::string(by_speed ? modelica_by_speed : modelica_alone);
-  text += modelica_algorithm + std::string(modelica_sum);
-  if (by_speed) text += "  temperature := temperature * speed / speeds[1];\n";
-  return text + "end creep_law;\n";
+  return text + modelica_piece + modelica_sum + "end creep_law;\n";
 }
 
 std::string in_json(const CreepLawBySpeed& law, const LawUnits& unit, nlohmann::ordered_json o) {
@@ -454,13 +495,6 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
     text += '\n';
   }
   return text;
-}
-
-const CreepLaw& first_to_end(const CreepLawBySpeed& law, LawHalf CreepLaw::*half) {
-  const auto before = [&](const CreepLaw& a, const CreepLaw& b) {
-    return (a.*half).last_creep < (b.*half).last_creep;
-  };
-  return *std::min_element(law.laws.begin(), law.laws.end(), before);
 }
 
 std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation formulation,

@@ -22,9 +22,6 @@ inline constexpr Name<Language> language_names[] = {{"c", Language::c},
 std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation formulation,
                      const std::optional<LawUnits>& units, Language language);
 
-/// Of the laws of a range of speeds that whose half ends at the smallest creep.
-const CreepLaw& first_to_end(const CreepLawBySpeed& law, LawHalf CreepLaw::*half);
-
 /// The first and last creep xi*, where requested, and the number of rows.
 struct CurveRange {
   double from, to;

@@ -2,9 +2,11 @@
 #include "thermoroll/creep_law_by_speed.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <future>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "support/number_text.hpp"
 #include "thermoroll/coupled.hpp"
@@ -25,6 +27,24 @@ SpeedWeights weights_at(double y) {
   return weight;
 }
 
+struct CreepShare {
+  bool brakes;
+  double unit, share;  // of a unit
+};
+
+/// Among the laws from the first on.
+CreepShare share_of(const CreepLawBySpeed& law, std::size_t first, const SpeedWeights& weight,
+                    double creep) {
+  double more = creep, unit[2] = {0, 0};
+  for (std::size_t i = 0; i < laws_of_piece; ++i) {
+    more -= weight[i] * law.laws[first + i].no_slip_creep;
+    for (const bool brakes : {false, true})
+      unit[brakes] += weight[i] * scale_of(law, first + i, brakes);
+  }
+  const bool brakes = more < 0;
+  return {brakes, unit[brakes], std::abs(more) / unit[brakes]};
+}
+
 /// The first of the five laws about a speed.
 std::size_t first_about(const std::vector<double>& speeds, double speed) {
   std::size_t first = 0;
@@ -32,11 +52,19 @@ std::size_t first_about(const std::vector<double>& speeds, double speed) {
   return first;
 }
 
+/// Of the law i at the speed of the law k.
+double end_at(const CreepLawBySpeed& law, std::size_t i, std::size_t k, bool brakes) {
+  const LawHalf& half = brakes ? law.laws[i].braking : law.laws[i].driving;
+  const double share = half.last_creep / scale_of(law, i, brakes);
+  const double stretch = std::sqrt(law.speeds[k] / law.speeds[i]);
+  const double size = scale_of(law, k, brakes) * (share > 1 ? 1 + (share - 1) / stretch : share);
+  return law.laws[k].no_slip_creep + (brakes ? -size : size);
+}
+
 struct SpeedsInTheMaking {
   const SceneBySpeed& scene_at;
   Formulation formulation;
   double from, to, tolerance;
-  CreepRange creeps;
   std::map<double, CreepLaw> made{};  // by share
 };
 
@@ -44,15 +72,25 @@ double speed_at(const SpeedsInTheMaking& x, double share) {
   return share == 1 ? x.to : x.from * std::pow(x.to / x.from, share);
 }
 
-const CreepLaw& law_at(SpeedsInTheMaking& x, double share) {
-  const auto known = x.made.find(share);
-  if (known != x.made.end()) return known->second;
+CreepLaw make_law(const SpeedsInTheMaking& x, double share) {
   const double speed = speed_at(x, share), tolerance = std::max(x.tolerance / 3, 1e-7);
   try {
-    return x.made[share] = creep_law(x.scene_at(speed), x.formulation, tolerance, x.creeps);
+    return creep_law(x.scene_at(speed), x.formulation, tolerance);
   } catch (const NotResolved& error) {
     throw NotResolved("at the speed " + shortest(speed) + ": " + error.what(), {});
   }
+}
+
+/// Make those laws at the eighths from a to b that are not made.
+void make_laws(SpeedsInTheMaking& x, double a, double b) {
+  std::vector<std::pair<double, std::future<CreepLaw>>> coming;
+  for (int k = 0; k <= 8; ++k) {
+    const double share = a + (b - a) * k / 8;
+    if (x.made.count(share) > 0) continue;
+    const auto make = [&x, share] { return make_law(x, share); };
+    coming.emplace_back(share, std::async(std::launch::async, make));
+  }
+  for (auto& [share, law] : coming) x.made[share] = law.get();
 }
 
 void raise_errors(CreepLawBySpeed& law, double traction, double border, double temperature) {
@@ -61,16 +99,26 @@ void raise_errors(CreepLawBySpeed& law, double traction, double border, double t
   law.temperature_error = std::max(law.temperature_error, temperature);
 }
 
-CreepLawBySpeed laws_between(SpeedsInTheMaking& x, double a, double b) {
-  CreepLawBySpeed piece{{}, {}, 0, 0, 0};
+void find_full_slip(CreepLawBySpeed& law) {
+  const auto slips = [](const LawHalf& half) { return half.last_creep > half.unit_creep; };
+  law.slips = {true, true};
+  for (const CreepLaw& one : law.laws) {
+    law.slips[0] = law.slips[0] && slips(one.driving);
+    law.slips[1] = law.slips[1] && slips(one.braking);
+  }
+}
+
+CreepLawBySpeed laws_between(const SpeedsInTheMaking& x, double a, double b) {
+  CreepLawBySpeed piece{{}, {}, 0, 0, 0, {true, true}};
   for (int i = 0; i < laws_of_piece; ++i) {
     const double share = a + (b - a) * i / 4, speed = speed_at(x, share);
-    const CreepLaw& law = law_at(x, share);
+    const CreepLaw& law = x.made.at(share);
     piece.speeds.push_back(speed);
     piece.laws.push_back(law);
     raise_errors(piece, law.traction_error, law.border_error,
                  law.temperature_error * speed / x.from);
   }
+  find_full_slip(piece);
   return piece;
 }
 
@@ -82,8 +130,8 @@ struct Apart {
 
 Apart apart(const CreepLawBySpeed& piece, const CreepLaw& law, double speed) {
   Apart most;
-  for (int k = -39; k < 40; ++k) {
-    const double z = std::abs(k) / 20.0, size = z < 1 ? z * z : 1 / (2 - z);
+  for (int k = -79; k < 80; ++k) {
+    const double z = std::abs(k) / 40.0, size = z < 1 ? z * z : 1 / (2 - z);
     const double unit = (k < 0 ? law.braking : law.driving).unit_creep;
     const double creep = law.no_slip_creep + (k < 0 ? -unit : unit) * size;
     const auto exact = evaluate(law, creep), joined = evaluate(piece, creep, speed);
@@ -98,9 +146,9 @@ Apart apart(const CreepLawBySpeed& piece, const CreepLaw& law, double speed) {
 }
 
 /// Whether it does; if so, its errors in most become those at that speed, if they are larger.
-bool holds(SpeedsInTheMaking& x, const CreepLawBySpeed& piece, double share, Apart& most) {
+bool holds(const SpeedsInTheMaking& x, const CreepLawBySpeed& piece, double share, Apart& most) {
   const double speed = speed_at(x, share), faster = speed / x.from;
-  const Apart here = apart(piece, law_at(x, share), speed);
+  const Apart here = apart(piece, x.made.at(share), speed);
   const double traction = std::max(x.tolerance / 3, piece.traction_error / 2);
   const double temperature =
       std::max(x.tolerance / 3 * here.scale, piece.temperature_error / faster / 2);
@@ -119,11 +167,13 @@ void add_piece(CreepLawBySpeed& law, const CreepLawBySpeed& piece, const Apart& 
 }
 
 void add_speeds(SpeedsInTheMaking& x, CreepLawBySpeed& law, double a, double b) {
+  make_laws(x, a, b);
   const CreepLawBySpeed piece = laws_between(x, a, b);
-  const double eighth = (b - a) / 8;
   Apart most;
-  if (holds(x, piece, a + eighth, most) && holds(x, piece, b - eighth, most))
-    return add_piece(law, piece, most);
+  const auto here = [&](double eighths) {
+    return holds(x, piece, a + (b - a) * eighths / 8, most);
+  };
+  if (here(1) && here(7) && here(3) && here(5)) return add_piece(law, piece, most);
   if (b - a < 0.02)
     throw NotResolved("law: not resolved between the speeds " + shortest(piece.speeds.front()) +
                           " and " + shortest(piece.speeds.back()),
@@ -134,34 +184,61 @@ void add_speeds(SpeedsInTheMaking& x, CreepLawBySpeed& law, double a, double b) 
 
 }  // namespace
 
+double scale_of(const CreepLawBySpeed& law, std::size_t i, bool brakes) {
+  if (!law.slips[brakes]) return 1;
+  return (brakes ? law.laws[i].braking : law.laws[i].driving).unit_creep;
+}
+
 std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, double speed) {
-  const auto& [speeds, laws, q_error, c_error, t_error] = law;
+  const auto& [speeds, laws, q_error, c_error, t_error, slips] = law;
   if (!(speeds.front() <= speed && speed <= speeds.back())) return std::nullopt;
   if (laws.size() == 1) return evaluate(laws.front(), creep);
+  if (!std::isfinite(creep)) return std::nullopt;
   const std::size_t first = first_about(speeds, speed);
   const double ratio = speed / speeds[first], all = speeds[first + 4] / speeds[first];
   const SpeedWeights weight = weights_at(4 * std::log(ratio) / std::log(all));
+  const CreepShare at = share_of(law, first, weight, creep);
   LawValue sum{};
+  bool all_slip = true;
   for (std::size_t i = 0; i < laws_of_piece; ++i) {
-    const auto at = evaluate(laws[first + i], creep);
-    if (!at) return std::nullopt;
-    sum.traction += weight[i] * at->traction;
-    sum.slope += weight[i] * at->slope;
-    sum.temperature += weight[i] * at->temperature;
-    sum.border += weight[i] * at->border;
+    const double own = scale_of(law, first + i, at.brakes), faster = speed / speeds[first + i];
+    const double stretch = at.share > 1 ? std::sqrt(faster) : 1;
+    const double size = own * (at.share + (stretch - 1) * (at.share - 1));
+    const double rest = laws[first + i].no_slip_creep;
+    const auto one = evaluate(laws[first + i], rest + (at.brakes ? -size : size));
+    if (!one) return std::nullopt;
+    sum.traction += weight[i] * one->traction;
+    sum.slope += weight[i] * stretch * own / at.unit * one->slope;
+    sum.temperature += weight[i] * one->temperature / faster;
+    sum.border += weight[i] * one->border;
+    all_slip = all_slip && one->border == -1;
   }
+  sum.border = all_slip ? -1 : std::max(sum.border, -1.0);
   return sum;
 }
 
+LawEnd earliest_end(const CreepLawBySpeed& law, bool brakes) {
+  LawEnd end{std::numeric_limits<double>::infinity(), {}};
+  const std::size_t last = law.laws.size() - 1;
+  for (std::size_t k = 0; k <= last; ++k)
+    for (std::size_t i = k - std::min<std::size_t>(k, 4); i <= std::min(k + 4, last); ++i) {
+      if (i / 4 != k / 4 && i % 4 != 0 && k % 4 != 0) continue;  // of another piece
+      const double creep = end_at(law, i, k, brakes);
+      if (std::abs(creep) >= std::abs(end.creep)) continue;
+      end = {creep, (brakes ? law.laws[i].braking : law.laws[i].driving).reason};
+    }
+  return end;
+}
+
 CreepLawBySpeed creep_law_by_speed(const SceneBySpeed& scene_at, Formulation formulation,
-                                   double from, double to, double tolerance,
-                                   const CreepRange& creeps) {
+                                   double from, double to, double tolerance) {
   require(from > 0, "speed", from, "positive");
   require(from < to, "to-speed", to, "above speed = " + shortest(from));
   require(3e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 3e-7 to 1e-2");
-  CreepLawBySpeed law{{}, {}, 0, 0, 0};
-  SpeedsInTheMaking x{scene_at, formulation, from, to, tolerance, creeps};
+  CreepLawBySpeed law{{}, {}, 0, 0, 0, {true, true}};
+  SpeedsInTheMaking x{scene_at, formulation, from, to, tolerance};
   add_speeds(x, law, 0, 1);
+  find_full_slip(law);
   return law;
 }
 

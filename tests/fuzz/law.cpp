@@ -1,21 +1,26 @@
-// The law of all creeps: a byte for the formulation and the law of friction, then the bytes of the
-// friction, the Peclet number, the heating, the tolerance, the cylinder's conductivity, heating and
-// Peclet number, the bulk difference, the temperature, floor and reference of a law of friction,
-// and a creep. A law at a tolerance below 1e-2 takes too long for this.
+// The law of all creeps: a byte for the formulation, the law of friction and whether it is for a
+// range of speeds, then the bytes of the friction, the Peclet number, the heating, the tolerance,
+// the cylinder's conductivity, heating and Peclet number, the bulk difference, the temperature,
+// floor and reference of a law of friction, and a creep. A law at a tolerance below 1e-2 takes too
+// long for this.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
 #include "fuzz.hpp"
 #include "thermoroll/coupled.hpp"
 #include "thermoroll/creep_law.hpp"
+#include "thermoroll/creep_law_by_speed.hpp"
 
 using namespace thermoroll;
 
 namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Whatever creep is asked for, the law has a value there, or ends before.
 void examine(const CreepLaw& law, double friction, double creep) {
@@ -34,6 +39,32 @@ void examine(const CreepLaw& law, double friction, double creep) {
   }
 }
 
+/// A law for speeds from 1 to 1.5 has a value where all of its laws have one, and no other.
+void examine(const CreepLawBySpeed& law, double creep) {
+  for (const CreepLaw& one : law.laws) examine(one, infinite, creep);
+  const double errors = law.traction_error + law.border_error + law.temperature_error;
+  if (!std::isfinite(errors) || errors < 0) fuzz::fail("an error that is none");
+  for (const double speed : {1.0, 1.2, 1.5}) {
+    const std::optional<LawValue> x = evaluate(law, creep, speed);
+    bool all = true;
+    for (const CreepLaw& one : law.laws) all = all && evaluate(one, creep);
+    if (law.laws.size() == 5 && all != x.has_value()) fuzz::fail("it has another end");
+    if (x && !std::isfinite(x->traction + x->slope + x->temperature)) fuzz::fail("not finite");
+  }
+  if (evaluate(law, creep, 0.99) || evaluate(law, creep, 1.51)) fuzz::fail("beyond its speeds");
+}
+
+/// The same bodies and the same law in kelvin at another speed; friction may be a law's.
+Scene at_speed(Scene scene, LawOfFriction friction, double speed) {
+  scene.peclet *= speed;
+  scene.roller.peclet *= speed;
+  scene.bulk_difference /= speed;
+  friction.of.scale /= speed;
+  friction.of.reference /= speed;
+  if (scene.law) scene.law = friction;
+  return scene;
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -49,8 +80,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       check(friction);
       scene.law = friction;
     }
-    const CreepLaw law = creep_law(scene, formulation, std::max(x[3], 1e-2));
-    if (std::isfinite(x[11])) examine(law, scene.friction, x[11]);
+    const double tolerance = std::max(x[3], 1e-2);
+    if (!std::isfinite(x[11])) return;
+    if (data[0] / 8 % 2 == 0)
+      return examine(creep_law(scene, formulation, tolerance), scene.friction, x[11]);
+    const auto at = [&](double speed) { return at_speed(scene, friction, speed); };
+    examine(creep_law_by_speed(at, formulation, 1, 1.5, tolerance), x[11]);
   });
   return 0;
 }

@@ -13,10 +13,10 @@
 namespace {
 
 using thermoroll::CoupledSolution;
+using thermoroll::creep_law;
 using thermoroll::creep_law_by_speed;
 using thermoroll::CreepLaw;
 using thermoroll::CreepLawBySpeed;
-using thermoroll::CreepRange;
 using thermoroll::Direction;
 using thermoroll::evaluate;
 using thermoroll::exponential_friction;
@@ -36,6 +36,14 @@ Scene hot(double speed) {
   return scene;
 }
 
+// Friction falls above a temperature that fast contacts reach at small creeps, and slow ones at
+// large.
+Scene kinked(double speed) {
+  Scene scene = steel(speed);
+  scene.law = exponential_friction({0.15 / speed, 0.3, 0.06 / speed});
+  return scene;
+}
+
 // A hot wheel on a cold rail, of another material and without a law of friction.
 Scene hot_wheel(double speed) {
   Scene scene{0.4, 100 * speed, 0.02, {2, 0.01, 150 * speed}};
@@ -46,9 +54,8 @@ Scene hot_wheel(double speed) {
 // Much heat, so that the whole curve moves with the speed.
 Scene soft(double speed) { return {0.6, 20 * speed, 0.5}; }
 
-CreepLawBySpeed law_of(const SceneBySpeed& at, double to, double tolerance = 1e-4,
-                       const CreepRange& creeps = {-4, 4}) {
-  return creep_law_by_speed(at, Formulation::corrected, 1, to, tolerance, creeps);
+CreepLawBySpeed law_of(const SceneBySpeed& at, double to, double tolerance = 1e-4) {
+  return creep_law_by_speed(at, Formulation::corrected, 1, to, tolerance);
 }
 
 // The largest error over the stated one, of traction, border and temperature, at random creeps and
@@ -87,6 +94,7 @@ TEST(CreepLawBySpeed, HoldsItsErrors) {
   EXPECT_LT(worst_error(hot, 3, 1e-6, 30), 1);
   EXPECT_LT(worst_error(hot_wheel, 3, 1e-3, 30), 1);
   EXPECT_LT(worst_error(soft, 3, 1e-4, 30), 1);
+  EXPECT_LT(worst_error(kinked, 8, 1e-3, 20), 1);
 }
 
 TEST(CreepLawBySpeed, ErrorsIncludeThoseOfItsLaws) {
@@ -140,22 +148,58 @@ TEST(CreepLawBySpeed, SlopeIsTheDerivative) {
   }
 }
 
-// Contact is lost at the creep 7.78 where Pe is 0.5, and before that where it is larger.
+// Contact is lost at the creep 7.78 where Pe is 0.5, and before that where it is larger. Each law
+// is taken at creeps beyond full slip that grow as the root of the speed over its own.
 TEST(CreepLawBySpeed, EndsWithTheFirstOfItsLaws) {
   const CreepLawBySpeed law = law_of(
       [](double speed) {
         return Scene{0.6, 0.5 * speed, 1};
       },
-      1.3, 1e-3, {0, 20});
-  double last = 20;
-  for (const CreepLaw& one : law.laws) last = std::min(last, one.driving.last_creep);
-  EXPECT_LT(last, law.laws.front().driving.last_creep - 0.5);
-  EXPECT_TRUE(evaluate(law, last * (1 - 1e-9), 1));
-  EXPECT_FALSE(evaluate(law, last * (1 + 1e-9), 1));
+      1.3, 1e-3);
+  ASSERT_EQ(law.laws.size(), 5);
+  EXPECT_TRUE(law.slips[0] && law.slips[1]);
+  const auto end_at = [&](std::size_t k) {
+    double end = 20;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double share = law.laws[i].driving.last_creep / law.laws[i].driving.unit_creep;
+      const double stretch = std::sqrt(law.speeds[k] / law.speeds[i]);
+      end = std::min(end, law.laws[k].driving.unit_creep * (1 + (share - 1) / stretch));
+    }
+    return end;
+  };
+  for (const std::size_t k : {0, 2, 4}) {
+    EXPECT_TRUE(evaluate(law, end_at(k) * (1 - 1e-9), law.speeds[k]));
+    EXPECT_FALSE(evaluate(law, end_at(k) * (1 + 1e-9), law.speeds[k]));
+  }
+  EXPECT_NEAR(earliest_end(law, false).creep, end_at(4), 1e-9);
+  EXPECT_EQ(earliest_end(law, false).reason, law.laws[4].driving.reason);
+  EXPECT_LT(earliest_end(law, true).creep, -1);
   EXPECT_FALSE(evaluate(law, 0.1, 1 - 1e-9));
   EXPECT_FALSE(evaluate(law, 0.1, 1.3 + 1e-9));
   EXPECT_FALSE(evaluate(law, 0.1, std::nan("")));
-  EXPECT_FALSE(evaluate(law, -0.1, 1.1));  // not asked for
+  EXPECT_FALSE(evaluate(law_of(steel, 2), INFINITY, 1.1));
+}
+
+// Under strong heat braking loses contact before all slips: there is no share of full slip, and
+// laws are taken at one creep.
+TEST(CreepLawBySpeed, HoldsWhereNotAllSlips) {
+  const auto strong = [](double speed) { return Scene{0.6, 10 * speed, 5}; };
+  const CreepLawBySpeed law = law_of(strong, 1.2, 1e-3);
+  EXPECT_TRUE(law.slips[0]);
+  EXPECT_FALSE(law.slips[1]);
+  EXPECT_EQ(scale_of(law, 2, true), 1);
+  EXPECT_EQ(scale_of(law, 2, false), law.laws[2].driving.unit_creep);
+  const CreepLaw exact = creep_law(strong(1.11), Formulation::corrected, 1e-4);
+  const double end = earliest_end(law, true).creep;
+  EXPECT_LT(end, -0.4);
+  for (const double creep : {0.99 * end, -0.2, -0.05, 0.05, 0.15, 0.2, 1.0}) {
+    const LawValue x = evaluate(law, creep, 1.11).value(), y = evaluate(exact, creep).value();
+    EXPECT_NEAR(x.traction, y.traction, law.traction_error);
+    EXPECT_NEAR(x.border, y.border, law.border_error);
+    const double grown = std::max(1.0, creep / law.laws[0].driving.unit_creep);
+    EXPECT_NEAR(x.temperature, y.temperature, law.temperature_error * grown);
+  }
+  EXPECT_FALSE(evaluate(law, 1.05 * end, 1.11));
 }
 
 // Laws that have nothing to do with each other.

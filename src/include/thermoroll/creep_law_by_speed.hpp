@@ -1,8 +1,11 @@
 // Tangled from paper/22-creep-curve.md; edit there.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "thermoroll/creep_law.hpp"
@@ -16,21 +19,33 @@ struct CreepLawBySpeed {
   std::vector<CreepLaw> laws;
   double traction_error, border_error;  ///< estimated, absolute, as those of a CreepLaw
   double temperature_error;             ///< of T* times the speed over the first one
+  std::array<bool, 2> slips;  ///< whether driving and braking reach full slip at all speeds
+};
+
+struct LawEnd {
+  double creep;        ///< xi*, infinite if there is no end
+  std::string reason;  ///< empty if there is none
 };
 
 /// The scene at a speed.
 using SceneBySpeed = std::function<Scene(double)>;
 
-/// The law of scenes that differ in their speed alone, for 0 < from <= speed <= to. Its stated
-/// errors are below the tolerance, from 3e-7 to 1e-2, but for the exceptions of a CreepLaw; the
-/// error of T* is relative to its largest at unit_creep. Throws as creep_law does, and NotResolved
-/// where the laws of two speeds close to each other cannot be joined.
+/// The law for all creeps of scenes that differ in their speed alone, for 0 < from <= speed <= to.
+/// Its stated errors are below the tolerance, from 3e-7 to 1e-2, but for the exceptions of a
+/// CreepLaw; the error of T* is relative to its largest at unit_creep. Throws as creep_law does,
+/// where the laws of two speeds close to each other cannot be joined. Calls scene_at from several
 CreepLawBySpeed creep_law_by_speed(const SceneBySpeed& scene_at, Formulation formulation,
-                                   double from, double to, double tolerance = 1e-4,
-                                   const CreepRange& creeps = {});
+                                   double from, double to, double tolerance = 1e-4);
 
 /// The law at a creep and a speed; nothing beyond the end of one of the five laws about that speed,
 /// or beyond the range of speeds. Allocates nothing.
 std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, double speed);
+
+/// The creep xi* that is 1 in the shares of law i: that at which all slips, if there is one at all
+/// speeds, counted from that without slip.
+double scale_of(const CreepLawBySpeed& law, std::size_t i, bool brakes);
+
+/// The end of driving or braking that is nearest to no slip at the speeds of the laws.
+LawEnd earliest_end(const CreepLawBySpeed& law, bool brakes);
 
 }  // namespace thermoroll
