@@ -572,7 +572,7 @@ void add_creep_law(CLI::App& program, Options& o) {
       ->type_name(joined(words(language_names), "|"))
       ->check(one_of("format", words(language_names)));
   add_number(command, "to-speed", o.to_speed,
-             "m/s, with SI data: a law for creep and speed, from --speed to this; from 3e-7 on");
+             "m/s, with SI data: a law for creep and speed, from --speed to this");
   add_output(command, o);
 }
 
@@ -741,14 +741,16 @@ constexpr const char* law_examples = R"(Examples:
   thermoroll law --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical --output law.c
   thermoroll law --friction 0.6 --peclet 100 --heating 0.0175 --friction-law linear \
     --friction-temperature 0.02 --format python --output law.py
-  thermoroll law --friction 0.6 --load 1.2e7 --speed 1 --to-speed 60 --half-width 5.5e-3 --format json \
+  thermoroll law --friction 0.6 --load 1.2e7 --speed 1 --to-speed 60 --half-width 5.5e-3 \
     --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
 
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
-speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too. A law is of one --half-width: that of a radius is told by
-solve --radius. Unless --roller says otherwise, all heat goes into one body: two steel bodies
-(--roller identical) are about half as hot.)";
+speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too; the tolerance is then
+from 3e-7 on. Where a reference temperature is reached in partial slip, that takes minutes at 1e-4, and
+seconds at 1e-3. A law is of one --half-width: that of a radius is told by solve --radius. Unless
+--roller says otherwise, all heat goes into one body: two steel bodies (--roller identical) are about
+half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list

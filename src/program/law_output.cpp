@@ -151,7 +151,8 @@ std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
   text += mark + "Slope: of the traction by the creep, without an error of its own.\n";
   if (by_speed)
-    text += mark + "Dimensionless data: at the lowest speed. Outside of these the status is 1.\n";
+    text += mark + "The dimensionless data are those of the lowest speed.\n" + mark +
+            "At speeds outside of this range the status is 1.\n";
   if (units) text += mark + "Strains are small up to a creep of 0.1 only.\n";
   const double q = 1.05 * law.traction_error, t = 1.05 * law.temperature_error;  // rounded upwards
   text += mark + "Errors: of the traction " + rounded(q * unit.traction, 2) +
