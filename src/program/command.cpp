@@ -319,7 +319,7 @@ constexpr double law_tolerance = 1e-4;
 CreepLawBySpeed law_of(const AllCreeps& c, const Maybe& to_speed, double tolerance) {
   if (!to_speed) {
     const CreepLaw law = creep_law(c.scene, c.formulation, tolerance);
-    CreepLawBySpeed alone{{c.units ? c.units->speed : 1}, {law}, 0, 0, 0, {}};
+    CreepLawBySpeed alone{{c.units ? c.units->speed : 1}, {law}, 0, 0, 0};
     alone.traction_error = law.traction_error;
     alone.border_error = law.border_error;
     alone.temperature_error = law.temperature_error;

@@ -103,9 +103,11 @@ bool has_speeds(const CreepLawBySpeed& law) { return law.laws.size() > 1; }
 std::vector<LawTable> all_tables_of(const CreepLawBySpeed& law) {
   std::vector<LawTable> all = states_of(law);
   if (has_speeds(law)) {
-    LawTable scale{"share_creep"};
-    for (std::size_t i = 0; i < law.laws.size(); ++i)
-      for (const bool brakes : {false, true}) scale.numbers.push_back(scale_of(law, i, brakes));
+    LawTable scale{"share_creep"};  // for both sides of each of the five laws of a piece
+    for (std::size_t first = 0; first + 1 < law.laws.size(); first += 4)
+      for (std::size_t i = 0; i < 5; ++i)
+        for (const bool brakes : {false, true})
+          scale.numbers.push_back(scale_of(law, first, i, brakes));
     all.push_back({"speeds", law.speeds});
     all.push_back(scale);
   }
@@ -229,14 +231,14 @@ int creep_law(double creep, double speed, double *traction, double *slope, doubl
       if (j != i) weight[i] *= (y - j) / (i - j);
     rest += weight[i] * no_slip_creep[first + i];
     for (int side = 0; side < 2; ++side)
-      unit[side] += weight[i] * share_creep[2 * (first + i) + side];
+      unit[side] += weight[i] * share_creep[first / 4 * 10 + 2 * i + side];
   }
   const double more = creep / creep_unit - rest;
   const int brakes = more < 0;
   const double share = fabs(more) / unit[brakes];
   for (int i = 0; i < 5; ++i) {
     const int law = first + i;
-    const double own = share_creep[2 * law + brakes];
+    const double own = share_creep[first / 4 * 10 + 2 * i + brakes];
     const double stretch = share > 1 ? sqrt(speed / speeds[law]) : 1;
     const double size = own * (share + (stretch - 1) * (share - 1));
     const double there = no_slip_creep[law] + (brakes ? -size : size);
@@ -317,17 +319,17 @@ def creep_law(creep, speed):
     mean = lambda table: sum(w * x for w, x in zip(weights, table))
     more = creep / creep_unit - mean(no_slip_creep[first:])
     side, sign = (1, -1) if more < 0 else (0, 1)
-    unit = mean(share_creep[2 * first + side::2])
+    own = share_creep[first // 4 * 10 + side:][:10:2]
+    unit = mean(own)
     share = abs(more) / unit
     traction = slope = temperature = 0.0
     for law, weight in enumerate(weights, first):
-        own = share_creep[2 * law + side]
         stretch = math.sqrt(speed / speeds[law]) if share > 1 else 1
-        size = own * (share + (stretch - 1) * (share - 1))
+        size = own[law - first] * (share + (stretch - 1) * (share - 1))
         q, dq, t, status = law_at(law, creep_unit * (no_slip_creep[law] + sign * size))
         if status:
             return 0.0, 0.0, 0.0, 1
-        traction, slope = traction + weight * q, slope + weight * stretch * own / unit * dq
+        traction, slope = traction + weight * q, slope + weight * stretch * own[law - first] / unit * dq
         temperature += weight * speeds[law] / speeds[0] * t
     return traction, slope, temperature, 0
 )";
@@ -377,7 +379,7 @@ constexpr const char* modelica_sum = R"(
   end for;
 )";
 
-constexpr const char* modelica_variables = R"(  Integer first, side, k;
+constexpr const char* modelica_variables = R"(  Integer first, shares, side, k;
   Real y, weight, weights[5], rest, unit[2], more, way, share, own, stretch, steeper, warmer, distance;
   Real z, per_z, x, b[2], before[2], d[2], d_before[2], next[2], q, by_x, t;
 algorithm
@@ -399,13 +401,13 @@ constexpr const char* modelica_by_speed = R"(  if speed < speeds[1] or speed > s
   first := 1;
   while first + 4 < laws and speed > speeds[first + 4] loop first := first + 4; end while;
   y := 4 * log(speed / speeds[first]) / log(speeds[first + 4] / speeds[first]);
-  weights := {1, 1, 1, 1, 1}; rest := 0; unit := {0, 0};
+  weights := {1, 1, 1, 1, 1}; rest := 0; unit := {0, 0}; shares := div(first, 4) * 10;
   for i in 1:5 loop
     for j in 1:5 loop
       weights[i] := if j == i then weights[i] else weights[i] * (y - (j - 1)) / (i - j);
     end for;
     rest := rest + weights[i] * no_slip_creep[first + i - 1];
-    unit := unit + weights[i] * {share_creep[2 * (first + i) - 3], share_creep[2 * (first + i) - 2]};
+    unit := unit + weights[i] * {share_creep[shares + 2 * i - 1], share_creep[shares + 2 * i]};
   end for;
   more := creep / creep_unit - rest;
   way := if more < 0 then -1 else 1;
@@ -413,7 +415,7 @@ constexpr const char* modelica_by_speed = R"(  if speed < speeds[1] or speed > s
   for law in first:first + 4 loop
     weight := weights[law - first + 1];
     side := if more < 0 then 2 * law else 2 * law - 1;
-    own := share_creep[side];
+    own := share_creep[shares + 2 * (law - first) + (if more < 0 then 2 else 1)];
     stretch := if share > 1 then sqrt(speed / speeds[law]) else 1;
     steeper := stretch * own / (if more < 0 then unit[2] else unit[1]);
     warmer := speeds[law] / speeds[1];

@@ -2,6 +2,7 @@
 #include "thermoroll/creep_law_by_speed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -39,7 +40,7 @@ CreepShare share_of(const CreepLawBySpeed& law, std::size_t first, const SpeedWe
   for (std::size_t i = 0; i < laws_of_piece; ++i) {
     more -= weight[i] * law.laws[first + i].no_slip_creep;
     for (const bool brakes : {false, true})
-      unit[brakes] += weight[i] * scale_of(law, first + i, brakes);
+      unit[brakes] += weight[i] * scale_of(law, first, i, brakes);
   }
   const bool brakes = more < 0;
   return {brakes, unit[brakes], std::abs(more) / unit[brakes]};
@@ -52,13 +53,16 @@ std::size_t first_about(const std::vector<double>& speeds, double speed) {
   return first;
 }
 
-/// Of the law i at the speed of the law k.
-double end_at(const CreepLawBySpeed& law, std::size_t i, std::size_t k, bool brakes) {
-  const LawHalf& half = brakes ? law.laws[i].braking : law.laws[i].driving;
-  const double share = half.last_creep / scale_of(law, i, brakes);
-  const double stretch = std::sqrt(law.speeds[k] / law.speeds[i]);
-  const double size = scale_of(law, k, brakes) * (share > 1 ? 1 + (share - 1) / stretch : share);
-  return law.laws[k].no_slip_creep + (brakes ? -size : size);
+/// Of the law i of a piece at the speed of its law k.
+double end_at(const CreepLawBySpeed& law, std::size_t first, std::size_t i, std::size_t k,
+              bool brakes) {
+  const CreepLaw &one = law.laws[first + i], &other = law.laws[first + k];
+  const double last = (brakes ? one.braking : one.driving).last_creep;
+  const double share = last / scale_of(law, first, i, brakes);
+  const double stretch = std::sqrt(law.speeds[first + k] / law.speeds[first + i]);
+  const double along = share > 1 ? 1 + (share - 1) / stretch : share;
+  const double size = scale_of(law, first, k, brakes) * along;
+  return other.no_slip_creep + (brakes ? -size : size);
 }
 
 struct SpeedsInTheMaking {
@@ -99,17 +103,8 @@ void raise_errors(CreepLawBySpeed& law, double traction, double border, double t
   law.temperature_error = std::max(law.temperature_error, temperature);
 }
 
-void find_full_slip(CreepLawBySpeed& law) {
-  const auto slips = [](const LawHalf& half) { return half.last_creep > half.unit_creep; };
-  law.slips = {true, true};
-  for (const CreepLaw& one : law.laws) {
-    law.slips[0] = law.slips[0] && slips(one.driving);
-    law.slips[1] = law.slips[1] && slips(one.braking);
-  }
-}
-
 CreepLawBySpeed laws_between(const SpeedsInTheMaking& x, double a, double b) {
-  CreepLawBySpeed piece{{}, {}, 0, 0, 0, {true, true}};
+  CreepLawBySpeed piece{{}, {}, 0, 0, 0};
   for (int i = 0; i < laws_of_piece; ++i) {
     const double share = a + (b - a) * i / 4, speed = speed_at(x, share);
     const CreepLaw& law = x.made.at(share);
@@ -118,7 +113,6 @@ CreepLawBySpeed laws_between(const SpeedsInTheMaking& x, double a, double b) {
     raise_errors(piece, law.traction_error, law.border_error,
                  law.temperature_error * speed / x.from);
   }
-  find_full_slip(piece);
   return piece;
 }
 
@@ -184,13 +178,16 @@ void add_speeds(SpeedsInTheMaking& x, CreepLawBySpeed& law, double a, double b) 
 
 }  // namespace
 
-double scale_of(const CreepLawBySpeed& law, std::size_t i, bool brakes) {
-  if (!law.slips[brakes]) return 1;
-  return (brakes ? law.laws[i].braking : law.laws[i].driving).unit_creep;
+double scale_of(const CreepLawBySpeed& law, std::size_t first, std::size_t i, bool brakes) {
+  const auto half = brakes ? &CreepLaw::braking : &CreepLaw::driving;
+  const std::size_t end = std::min(first + laws_of_piece, law.laws.size());
+  for (std::size_t k = first; k < end; ++k)
+    if (!((law.laws[k].*half).last_creep > (law.laws[k].*half).unit_creep)) return 1;
+  return (law.laws[first + i].*half).unit_creep;
 }
 
 std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, double speed) {
-  const auto& [speeds, laws, q_error, c_error, t_error, slips] = law;
+  const auto& [speeds, laws, q_error, c_error, t_error] = law;
   if (!(speeds.front() <= speed && speed <= speeds.back())) return std::nullopt;
   if (laws.size() == 1) return evaluate(laws.front(), creep);
   if (!std::isfinite(creep)) return std::nullopt;
@@ -201,7 +198,7 @@ std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, doubl
   LawValue sum{};
   bool all_slip = true;
   for (std::size_t i = 0; i < laws_of_piece; ++i) {
-    const double own = scale_of(law, first + i, at.brakes), faster = speed / speeds[first + i];
+    const double own = scale_of(law, first, i, at.brakes), faster = speed / speeds[first + i];
     const double stretch = at.share > 1 ? std::sqrt(faster) : 1;
     const double size = own * (at.share + (stretch - 1) * (at.share - 1));
     const double rest = laws[first + i].no_slip_creep;
@@ -219,14 +216,15 @@ std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, doubl
 
 LawEnd earliest_end(const CreepLawBySpeed& law, bool brakes) {
   LawEnd end{std::numeric_limits<double>::infinity(), {}};
-  const std::size_t last = law.laws.size() - 1;
-  for (std::size_t k = 0; k <= last; ++k)
-    for (std::size_t i = k - std::min<std::size_t>(k, 4); i <= std::min(k + 4, last); ++i) {
-      if (i / 4 != k / 4 && i % 4 != 0 && k % 4 != 0) continue;  // of another piece
-      const double creep = end_at(law, i, k, brakes);
-      if (std::abs(creep) >= std::abs(end.creep)) continue;
-      end = {creep, (brakes ? law.laws[i].braking : law.laws[i].driving).reason};
-    }
+  const std::size_t all = law.laws.size(), count = std::min<std::size_t>(all, laws_of_piece);
+  for (std::size_t first = 0; first + count <= all; first += laws_of_piece - 1)
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < count; ++k) {
+        const double creep = end_at(law, first, i, k, brakes);
+        if (std::abs(creep) >= std::abs(end.creep)) continue;
+        const CreepLaw& one = law.laws[first + i];
+        end = {creep, (brakes ? one.braking : one.driving).reason};
+      }
   return end;
 }
 
@@ -235,10 +233,9 @@ CreepLawBySpeed creep_law_by_speed(const SceneBySpeed& scene_at, Formulation for
   require(from > 0, "speed", from, "positive");
   require(from < to, "to-speed", to, "above speed = " + shortest(from));
   require(3e-7 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 3e-7 to 1e-2");
-  CreepLawBySpeed law{{}, {}, 0, 0, 0, {true, true}};
+  CreepLawBySpeed law{{}, {}, 0, 0, 0};
   SpeedsInTheMaking x{scene_at, formulation, from, to, tolerance};
   add_speeds(x, law, 0, 1);
-  find_full_slip(law);
   return law;
 }
 

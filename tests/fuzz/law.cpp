@@ -39,16 +39,13 @@ void examine(const CreepLaw& law, double friction, double creep) {
   }
 }
 
-/// A law for speeds from 1 to 1.5 has a value where all of its laws have one, and no other.
+/// A law for speeds from 1 to 1.5 has finite values and errors, and none at another speed.
 void examine(const CreepLawBySpeed& law, double creep) {
   for (const CreepLaw& one : law.laws) examine(one, infinite, creep);
   const double errors = law.traction_error + law.border_error + law.temperature_error;
   if (!std::isfinite(errors) || errors < 0) fuzz::fail("an error that is none");
   for (const double speed : {1.0, 1.2, 1.5}) {
     const std::optional<LawValue> x = evaluate(law, creep, speed);
-    bool all = true;
-    for (const CreepLaw& one : law.laws) all = all && evaluate(one, creep);
-    if (law.laws.size() == 5 && all != x.has_value()) fuzz::fail("it has another end");
     if (x && !std::isfinite(x->traction + x->slope + x->temperature)) fuzz::fail("not finite");
   }
   if (evaluate(law, creep, 0.99) || evaluate(law, creep, 1.51)) fuzz::fail("beyond its speeds");

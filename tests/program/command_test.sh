@@ -1936,7 +1936,7 @@ while not algorithm[at:].strip().startswith("end creep_law;"):
     depth += bool(each or until or case or other)
 assert depth == 1 and at > 500
 lines.append("    return traction, slope, temperature, status")
-space = {"Array": Array, "sqrt": math.sqrt, "log": math.log}
+space = {"Array": Array, "sqrt": math.sqrt, "log": math.log, "div": lambda a, b: a // b}
 exec("\n".join(lines), space)
 count = 0
 for given, line in zip(open("creeps"), open("expected"), strict=True):

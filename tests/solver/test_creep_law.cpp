@@ -387,7 +387,7 @@ TEST(CreepLaw, HasTheHalvesOfItsRange) {
 
 TEST(CreepLaw, EvaluationAllocatesNothing) {
   const CreepLaw law = law_of(hot());
-  const CreepLawBySpeed by_speed{{1, 2, 4, 8, 16}, {law, law, law, law, law}, 0, 0, 0, {}};
+  const CreepLawBySpeed by_speed{{1, 2, 4, 8, 16}, {law, law, law, law, law}, 0, 0, 0};
   const std::size_t before = allocations;
   double sum = 0;
   for (double creep = -6; creep < 6; creep += 0.01) {

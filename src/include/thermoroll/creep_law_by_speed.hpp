@@ -1,7 +1,6 @@
 // Tangled from paper/22-creep-curve.md; edit there.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -19,7 +18,6 @@ struct CreepLawBySpeed {
   std::vector<CreepLaw> laws;
   double traction_error, border_error;  ///< estimated, absolute, as those of a CreepLaw
   double temperature_error;             ///< of T* times the speed over the first one
-  std::array<bool, 2> slips;  ///< whether driving and braking reach full slip at all speeds
 };
 
 struct LawEnd {
@@ -41,9 +39,9 @@ CreepLawBySpeed creep_law_by_speed(const SceneBySpeed& scene_at, Formulation for
 /// or beyond the range of speeds. Allocates nothing.
 std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, double speed);
 
-/// The creep xi* that is 1 in the shares of law i: that at which all slips, if there is one at all
-/// speeds, counted from that without slip.
-double scale_of(const CreepLawBySpeed& law, std::size_t i, bool brakes);
+/// The creep xi* of which @eq:aligned-creep takes shares, for law i of the piece from the first law
+/// on: that at which all slips, or 1 if one of the five does not go on from there.
+double scale_of(const CreepLawBySpeed& law, std::size_t first, std::size_t i, bool brakes);
 
 /// The end of driving or braking that is nearest to no slip at the speeds of the laws.
 LawEnd earliest_end(const CreepLawBySpeed& law, bool brakes);
