@@ -318,12 +318,9 @@ constexpr double law_tolerance = 1e-4;
 
 CreepLawBySpeed law_of(const AllCreeps& c, const Maybe& to_speed, double tolerance) {
   if (!to_speed) {
+    const double speed = c.units ? c.units->speed : 1;
     const CreepLaw law = creep_law(c.scene, c.formulation, tolerance);
-    CreepLawBySpeed alone{{c.units ? c.units->speed : 1}, {law}, 0, 0, 0};
-    alone.traction_error = law.traction_error;
-    alone.border_error = law.border_error;
-    alone.temperature_error = law.temperature_error;
-    return alone;
+    return {{speed}, {law}, law.traction_error, law.border_error, law.temperature_error};
   }
   if (!c.physical) throw std::invalid_argument("for data in SI units only: --to-speed");
   const auto at = [&](double speed) {
@@ -747,10 +744,9 @@ constexpr const char* law_examples = R"(Examples:
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
 speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too; the tolerance is then
-from 3e-7 on. Where a reference temperature is reached in partial slip, that takes minutes at 1e-4, and
-seconds at 1e-3. A law is of one --half-width: that of a radius is told by solve --radius. Unless
---roller says otherwise, all heat goes into one body: two steel bodies (--roller identical) are about
-half as hot.)";
+from 3e-7 on, and 1e-3 is much faster where a reference temperature is reached in partial slip. A law is
+of one --half-width: that of a radius is told by solve --radius. Unless --roller says otherwise, all heat
+goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list

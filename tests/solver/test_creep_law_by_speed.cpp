@@ -59,7 +59,7 @@ CreepLawBySpeed law_of(const SceneBySpeed& at, double to, double tolerance = 1e-
 }
 
 // The largest error over the stated one, of traction, border and temperature, at random creeps and
-// speeds; the creep without slip is that of the law at the nearest speed, to far below its size.
+// speeds, away from the state without slip.
 double worst_error(const SceneBySpeed& scene_at, double to, double tolerance, int points) {
   const CreepLawBySpeed law = law_of(scene_at, to, tolerance);
   std::mt19937 random(17);
@@ -95,6 +95,13 @@ TEST(CreepLawBySpeed, HoldsItsErrors) {
   EXPECT_LT(worst_error(hot_wheel, 3, 1e-3, 30), 1);
   EXPECT_LT(worst_error(soft, 3, 1e-4, 30), 1);
   EXPECT_LT(worst_error(kinked, 8, 1e-3, 20), 1);
+}
+
+// With laws in full slip at the same temperature, kinks do not need more pieces than smooth laws.
+TEST(CreepLawBySpeed, WideRangesTakeFewPieces) {
+  EXPECT_LE(law_of(steel, 60).laws.size(), 17);
+  EXPECT_LE(law_of(hot, 60).laws.size(), 17);
+  EXPECT_EQ(law_of(kinked, 4, 1e-3).laws.size(), 5);
 }
 
 TEST(CreepLawBySpeed, ErrorsIncludeThoseOfItsLaws) {
@@ -140,12 +147,34 @@ TEST(CreepLawBySpeed, IsItsLawAtEachSpeed) {
 
 // The central difference over h has an error of h^2 / 6 times a third derivative, of some hundreds.
 TEST(CreepLawBySpeed, SlopeIsTheDerivative) {
-  const CreepLawBySpeed law = law_of(hot, 3);
   const double h = 1e-5;
-  for (const double creep : {-0.5, -0.1, 0.02, 0.2, 0.4}) {
-    const auto at = [&](double x) { return evaluate(law, x, 1.7).value(); };
-    EXPECT_NEAR(at(creep).slope, (at(creep + h).traction - at(creep - h).traction) / (2 * h), 1e-7);
+  for (const SceneBySpeed& scene : {SceneBySpeed(hot), SceneBySpeed(soft)}) {
+    const CreepLawBySpeed law = law_of(scene, 20, 1e-2);
+    for (const double speed : {1.3, 7.7})
+      for (const double creep : {-0.6, -0.1, 0.02, 0.2, 0.4}) {
+        const auto at = [&](double x) { return evaluate(law, x, speed).value(); };
+        EXPECT_NEAR(at(creep).slope, (at(creep + h).traction - at(creep - h).traction) / (2 * h),
+                    1e-7);
+      }
   }
+}
+
+// Weights sum to 1 but for rounding; full slip is told by -1 itself.
+TEST(CreepLawBySpeed, FullSlipHasNoBorder) {
+  const CreepLawBySpeed law = law_of(hot, 10, 1e-3);
+  for (double speed = 1; speed < 10; speed += 0.37)
+    for (const double creep : {-2.0, -0.5, 0.4, 1.1})
+      EXPECT_EQ(evaluate(law, creep, speed).value().border, -1);
+}
+
+// Contact lasts longer at the higher speeds, so that the laws of the lower ones end the sums there.
+TEST(CreepLawBySpeed, SlowLawsEndAtHighSpeeds) {
+  const CreepLawBySpeed law = law_of([](double speed) { return Scene{0.6, speed, 1}; }, 1.2, 1e-3);
+  const double end = earliest_end(law, false).creep, fastest = law.speeds.back();
+  EXPECT_LT(end, law.laws.front().driving.last_creep);
+  EXPECT_TRUE(evaluate(law, end * (1 - 1e-9), fastest));
+  EXPECT_FALSE(evaluate(law, end * (1 + 1e-9), fastest));
+  EXPECT_EQ(earliest_end(law, false).reason, law.laws.front().driving.reason);
 }
 
 // Contact is lost at the creep 7.78 where Pe is 0.5, and before that where it is larger. Each law
