@@ -41,17 +41,16 @@ in_copy() {
 }
 
 # A copy of the project, configured from nothing. Data, figures, the report and most objects are taken over
-# to save the time; of the library, the program and a benchmark something is compiled, and of the two texts the
-# short one is woven. Headers
-# that are compiled would be newer than the objects.
+# to save the time; of the library for C, the program and a benchmark something is compiled, and of the two texts the
+# short one is woven. Headers that are compiled would be newer than the objects.
 BuildsInFolderWithSpace() {
   rm -rf "$copy"
   mkdir -p "$copy"
   tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C "$copy"
   make -C "$copy" build/release/with-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   cmake -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$copy/build/release" >"$work/configured" || fail "$(cat "$work/configured")"
-  (cd build/release && find CMakeFiles -name '*.c*.o' ! -name kernels.cpp.o ! -name exit_status.cpp.o \
-    ! -name main.cpp.o ! -name count.cpp.o -exec cp --parents {} "$copy/build/release" \;)
+  (cd build/release && find CMakeFiles -name '*.c*.o' ! -path '*-c.dir/*' ! -name main.cpp.o ! -name count.cpp.o \
+    -exec cp --parents {} "$copy/build/release" \;)
   cd "$copy"
   make all build/thermoroll-bench >>"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
