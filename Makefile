@@ -245,7 +245,7 @@ build/release/Makefile: CMakeLists.txt CMakePresets.json | build/tangle.stamp
 
 build/built: build/tangle.stamp build/release/Makefile $(sources)
 	$(call step,compiling the program)
-	@$(compile) build/release --target thermoroll-cli thermoroll-c
+	@$(compile) build/release --target program
 	@ln -sf release/thermoroll build/thermoroll
 	@touch $@
 
