@@ -343,7 +343,7 @@ void run_law(const Options& o) {
     const char* when = o.to_speed ? " at the earliest" : "";
     if (std::abs(end.creep) < far) print_notes({note_on(end, c.units, when)});
   }
-  if (c.physical) print_notes(notes_on(*c.physical, 0, 0));
+  if (c.physical) print_notes(notes_on(*c.physical, c.scene.friction, 0, 0));
 }
 
 /// An end in the unit of its option, if it is given.
@@ -376,14 +376,15 @@ double bound(const CurveEnd& end, double creep, const CreepLaw& law) {
 }
 
 std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<double>& creeps,
-                                     const LawUnits& units, const PhysicalScene& si) {
+                                     const LawUnits& units, const PhysicalScene& si,
+                                     double friction) {
   double creep = 0, rise = 0;
   for (const double x : creeps) {
     if (std::abs(x) * units.creep > std::abs(creep)) creep = x * units.creep;
     if (const auto at = evaluate(law, x))
       rise = std::max(rise, at->temperature * units.temperature);
   }
-  return notes_on(si, creep, rise);
+  return notes_on(si, friction, creep, rise);
 }
 
 void run_creep_curve(const Options& o) {
@@ -404,7 +405,7 @@ void run_creep_curve(const Options& o) {
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);
   print_notes(notes_on_ends(law, from, to, c.units));
-  if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical));
+  if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical, c.scene.friction));
 }
 
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& names) {

@@ -370,7 +370,8 @@ void set_sizes(PhysicalResults& y, const PhysicalScene& si, double load_ratio) {
   y.half_width_over_radius = hertz * hertz / si.half_width;
 }
 
-std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si) {
+std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
+                                          double friction) {
   struct Limit {
     const char* name;
     double value, most;
@@ -392,6 +393,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
+      {"friction", friction, 2, "solids have 0.01 to 1.5", "is it a ratio and no percentage?"},
       {"grueneisen", gamma, 5, "solids have 0.5 to 2",
        "are expansion and diffusivity and conductivity in SI units?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
@@ -458,12 +460,13 @@ FoundPeaks peaks(const Solution& x) {
   return found;
 }
 
-std::vector<std::string> notes_on(const PhysicalScene& si, double creep_ratio, double rise) {
+std::vector<std::string> notes_on(const PhysicalScene& si, double friction, double creep_ratio,
+                                  double rise) {
   PhysicalResults x{};
   set_sizes(x, si, 1);
   x.creep_ratio = creep_ratio;
   x.max_temperature_celsius = rise;
-  return beyond_the_model(x, si);
+  return beyond_the_model(x, si, friction);
 }
 
 Prescribed dimensionless(const PhysicalScene& si, const Prescribed& given, CreepUnit unit) {
@@ -477,7 +480,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   const FoundPeaks peak = peaks(x);
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   set_sizes(y.value, si, x.value(load_ratio));
-  y.notes = beyond_the_model(y.value, si);
+  y.notes = beyond_the_model(y.value, si, x.scene.friction);
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
   if (!x.error) return y;

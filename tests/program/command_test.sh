@@ -946,6 +946,11 @@ NotesOnCreepCurves() {
   [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
   run law "${wheel[@]/5.5e-3/5.5}" --format json
   grep -q '^thermoroll: note: half_width = 5.5 is above 0.1 ' err || fail "$(cat err)"
+  local way
+  for way in "law --format json" "creep-curve --from-ratio 0 --to-ratio 0.005 --points 3"; do
+    run $way "${wheel[@]/#0.6/30}"
+    grep -q '^thermoroll: note: friction = 30 is above 2 .*: is it a ratio and no percentage?$' err || fail "$way: $(cat err)"
+  done
   run law --friction 0.6 --peclet 1e5 --heating 30 --format json
   [ $status -eq 0 ] || fail "status $status"
   grep -q '^thermoroll: note: the curve ends at the creep 0.00[0-9]*: the solution is not resolved (a larger tolerance may go on)$' err || fail "$(cat err)"

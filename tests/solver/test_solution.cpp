@@ -799,12 +799,14 @@ TEST(Solution, NotesBeginAtTheLimits) {
     const bool brakes = i % 2 == 1, has_bulk = i % 4 > 1;
     if (has_bulk) c.bulk_temperature = log_uniform(1, 1000) - 270;
     const double sign = brakes ? -1 : 1, bulk = c.bulk_temperature.value_or(0);
-    const FoundInSi y =
-        in_si_units(solve(scene_of(c, 0.6), {traction, sign * 0.5}, closed_form), c);
+    const double friction = log_uniform(1, 4);
+    const FoundInSi y = in_si_units(
+        solve(scene_of(c, friction), {traction, sign * 0.8 * friction}, closed_form), c);
     const std::pair<const char*, bool> beyond[] = {
         {"half_width_over_radius", y.value.half_width_over_radius > 0.1},
         {"creep_ratio", std::abs(y.value.creep_ratio) > 0.1},
         {"hertz_pressure", y.value.hertz_pressure > c.shear_modulus / 10},
+        {"friction", friction > 2},
         {has_bulk ? "contact_temperature_celsius" : "max_temperature_celsius",
          bulk + y.value.max_temperature_celsius > 1500}};
     std::size_t count = 0;

@@ -107,7 +107,8 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
 
 /// A note for each limit of @eq:limits that these data exceed, with a creep ratio of this size and
 /// a temperature rise in degree C.
-std::vector<std::string> notes_on(const PhysicalScene& si, double creep_ratio, double rise);
+std::vector<std::string> notes_on(const PhysicalScene& si, double friction, double creep_ratio,
+                                  double rise);
 
 /// An iteration did not converge.
 struct NotConverged : std::runtime_error {
