@@ -20,6 +20,7 @@
 #include "studies/comparison.hpp"
 #include "studies/paper_scene.hpp"
 #include "studies/sampling.hpp"
+#include "support/freed_memory.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/creep_law.hpp"
 #include "thermoroll/friction_law.hpp"
@@ -225,6 +226,7 @@ void add_context() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   name_runs();
   name_curves();
   name_random_scenes();

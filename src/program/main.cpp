@@ -14,6 +14,7 @@
 #include "program/command.hpp"
 #include "program/deliver.hpp"
 #include "program/exit_status.hpp"
+#include "support/freed_memory.hpp"
 
 namespace thermoroll {
 namespace {
@@ -51,6 +52,7 @@ void await_signals() {
 int main(int argc, char** argv) {
   // A closed pipe and a file as large as it may be are errors of writing, like a full disk.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+  thermoroll::keep_freed_memory();
   try {
     thermoroll::await_signals();
     thermoroll::run(thermoroll::read_command({argv + std::min(argc, 1), argv + argc}));

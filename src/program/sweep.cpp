@@ -4,9 +4,6 @@
 #include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 #include <array>
 #include <cerrno>
@@ -154,15 +151,7 @@ void Sweep::start_another(std::vector<std::thread>& threads) {
   }
 }
 
-void keep_freed_memory() {
-#if defined(__GLIBC__)
-  mallopt(M_MMAP_THRESHOLD, 1 << 25);
-  mallopt(M_TRIM_THRESHOLD, 1 << 26);
-#endif
-}
-
 SweepCount Sweep::run() {
-  keep_freed_memory();
   begin();
   std::vector<std::thread> threads;
   try {

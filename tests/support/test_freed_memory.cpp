@@ -1,0 +1,36 @@
+// That the C library keeps what a program frees.
+#include <unistd.h>
+
+#include <cstddef>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/freed_memory.hpp"
+
+namespace {
+
+char written(std::size_t size) {
+  const std::vector<char> all(size, 1);
+  return all[size / 2];
+}
+
+// The end of the heap moves for the first of two blocks of the same size, and stays when that is
+// freed. Both are larger than what the C library would map apart. The sanitizers have memory of
+// their own.
+TEST(FreedMemory, IsKept) {
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "another C library";
+#else
+  thermoroll::keep_freed_memory();
+  const std::size_t size = std::size_t{1} << 24;
+  const char* const start = static_cast<char*>(sbrk(0));
+  ASSERT_EQ(written(size), 1);
+  const char* const end = static_cast<char*>(sbrk(0));
+  EXPECT_GE(end - start, static_cast<std::ptrdiff_t>(size));
+  ASSERT_EQ(written(size), 1);
+  EXPECT_EQ(sbrk(0), end);
+#endif
+}
+
+}  // namespace
