@@ -239,6 +239,7 @@ ZoneLengths moved_by(const ZoneLengths& zones, double step) {
 GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope, double weak) {
   ZoneLengths at = level.at;
+  double taken = 0;
   for (int k = 0, failed = 0; k < 30; ++k) {
     const GridSolution last = level;
     const ContactGrid grid = contact_grid(scene, formulation, at, n);
@@ -262,9 +263,11 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
       slope(max_temperature) = slope(stick_slip_border) * temperature_by_border(grid, level);
       return judged(level, grid);
     }
-    if (k > 0 && std::abs(step) <= near) return judged(level, grid);
+    const bool is_derivative = k > 0 && std::abs(taken) <= 0.06 * room;
+    if (is_derivative && std::abs(step) <= near) return judged(level, grid);
     if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
-    at = moved_by(at, std::clamp(step, -0.7 * at.stick, 0.7 * at.slip));
+    taken = std::clamp(step, -0.7 * at.stick, 0.7 * at.slip);
+    at = moved_by(at, taken);
   }
   level.newton_steps = 0;
   return level;

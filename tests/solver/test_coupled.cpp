@@ -724,6 +724,25 @@ TEST(Coupled, ErrorOfAShortStickZoneIsCounted) {
   EXPECT_LE(off({0.6, 1e5, 2}, border, 1e-6), 1);
 }
 
+// The derivative of the traction by the creep is that of its end: it is proportional to the length
+// of the stick zone, which heat makes several times as long as Carter's. The secant of a large step
+// would leave a third of the correction, more than the estimate in these scenes.
+TEST(Coupled, DerivativeOfAShortStickZoneIsNoSecant) {
+  thermoroll::Scene slow{0.24, 0.0875, 0.8};
+  for (const double heating : {0.4, 0.8, 1.2})
+    for (double stick = 0.002; stick < 0.1; stick *= 1.6) {
+      slow.heating = heating;
+      const Prescribed border{Quantity::stick_slip_border, -1 + stick};
+      const auto at_creep = [&](double creep, double tolerance) {
+        return solve_coupled(slow, {Formulation::corrected, tolerance}, {Quantity::creep, creep});
+      };
+      const double creep =
+          solve_coupled(slow, {Formulation::corrected, 1e-9}, border).value(Quantity::creep);
+      EXPECT_LE(excess(at_creep(creep, 1e-6), at_creep(creep, 1e-11)), 1)
+          << heating << ' ' << stick;
+    }
+}
+
 // The first grid whose error can be told has 20 to 25 unknowns, or 30, the more the effect of heat
 // and the digits are; without heat it has 20. The steel wheel needs no other grid than 30 for 1e-6.
 TEST(Coupled, FirstFineGridFollowsTheEffectOfHeat) {
