@@ -32,6 +32,8 @@ Carter nearest_carter(const Scene& scene, const Prescribed& given) {
   return carter_given(scene.friction, near);
 }
 
+double faster(const Scene& scene) { return std::max(scene.peclet, peclet_2(scene)); }
+
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& slope) {
   Results error = Results::Zero();
@@ -114,6 +116,25 @@ double error_of_leading_edge(const ZoneLengths& at, int n) {
   const auto root = std::sqrt(y * y - 1.0);
   const double semi_axes = std::max(std::abs(y + root), std::abs(y - root));
   return 10 * std::sqrt(eps) * std::pow(semi_axes, -2 * n);
+}
+
+Results share_at_leading_edge(const Scene& scene, const Results& share, const Results& scale,
+                              const Prescribed& given) {
+  const Results of_forces = share.min(share.head(compared - 2).maxCoeff());
+  if (given.quantity != creep) return of_forces;
+  const Results slope = carter_slope(nearest_carter(scene, given), creep);
+  return of_forces.max(share(creep) * scale(creep) * slope.abs() / scale);
+}
+
+Results errors_near_leading_edge(const Scene& scene, const GridSolution& level,
+                                 const Prescribed& given, const Results& share,
+                                 const Results& scale, const Results& corrected) {
+  const auto n = static_cast<int>(level.h.size());
+  const double moved = std::max(corrected(stick_slip_border), 0.0) * scale(stick_slip_border);
+  const double part = level.at.stick > 0 ? moved / (2 * level.at.stick) : 0;
+  const double error =
+      error_of_leading_edge(level.at, n) + part * error_of_leading_edge(level.at, 10);
+  return error * share_at_leading_edge(scene, share, scale, given);
 }
 
 /// Estimated errors, each relative to its scale, on a grid with the tail now and before, by the
@@ -305,15 +326,13 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double part = remembered(grids, layered, level.crossing.has_value());
   const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
-  const double speed = std::max(scene.peclet, peclet_2(scene));
   const Results share = share_of_heat(scene, level, given, value);
   const Results small =
-      error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at) +
-      error_of_leading_edge(level.at, n) * share.min(share.head(compared - 2).maxCoeff());
+      error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at);
   Results left = estimate(change, share, now, then, grids) + small;
   if (slow && is_unlike(scene) && n <= 200) left = left.max(change);
   if (scene.law && !slow && !level.crossing)
-    left = estimate_with_law(change, share, last.h, level.h, level.at.slip * speed) + small;
+    left = estimate_with_law(change, share, last.h, level.h, level.at.slip * faster(scene)) + small;
   if (level.crossing && !layered) {
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
     const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
@@ -329,8 +348,10 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
+  const double noise = rounding(given, slope, scale);
+  left += errors_near_leading_edge(scene, level, given, share, scale, corrected - noise);
   left += error_of_bulk(scene, level, given, slope) / scale;
-  return {value, change, left + rounding(given, slope, scale)};
+  return {value, change, left + noise};
 }
 
 void add_errors_of_crossing(const Scene& scene, const GridSolution& last, double worst,
@@ -365,7 +386,10 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
     const double most = left.head(compared).abs().maxCoeff();
     const double part = missing / residual(last, given);  // that the move has left
     const bool moves = (k == 0 && is_coarse) || !(0.5 < part && part < 2) || most < 1e-9;
-    if (most < (n > 64 ? 1e-4 : 0.01) && moves) break;
+    const double room = std::min(level.at.stick, level.at.slip);
+    const bool leaps = std::abs(missing) > 1e-13 * std::abs(given.value) &&
+                       std::abs(slope(stick_slip_border) * missing) > 0.02 * room;
+    if (most < (n > 64 ? 1e-4 : 0.01) && moves && !leaps) break;
   }
   return level;
 }

@@ -263,7 +263,7 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
       slope(max_temperature) = slope(stick_slip_border) * temperature_by_border(grid, level);
       return judged(level, grid);
     }
-    const bool is_derivative = k > 0 && std::abs(taken) <= 0.06 * room;
+    const bool is_derivative = k > 0 && std::abs(taken) <= std::max(0.06 * room, near);
     if (is_derivative && std::abs(step) <= near) return judged(level, grid);
     if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
     taken = std::clamp(step, -0.7 * at.stick, 0.7 * at.slip);

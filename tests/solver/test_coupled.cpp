@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -718,6 +719,34 @@ TEST(Coupled, ErrorOfAShortStickZoneIsCounted) {
                                {0.014878217957444175, 0.010454269145000071},
                                thermoroll::Direction::braking};
   EXPECT_LE(off(slow, {Quantity::stick_slip_border, -0.9998667045662204}, 2.5e-4), 1);
+  // Creeps next to full slip: coarse grids have another border, and its derivative is another, too.
+  const std::tuple<thermoroll::Scene, double, double> creeps[] = {
+      {{0.91651246146041021, 0.12612332242221638, 0.066393310924919846},
+       0.58386203320016306,
+       5.8e-6},
+      {{0.35090232829016821,
+        0.038445874183540577,
+        1.8564976093572629,
+        {0.44372466785162629, 1.5051711078182901, 0.036721265782032296}},
+       0.22478325728598089,
+       1e-6},
+      {{0.6444916433465544,
+        3.3714871245542049,
+        0.05858123165732395,
+        {},
+        thermoroll::Direction::braking},
+       0.41288860034860581,
+       4.8e-7},
+      {{0.74069124123525409, 1.5244671485040406, 0.88915499289472777}, 0.39033961668517936, 2.5e-5},
+      {{0.86555823021834877,
+        2.1071436685927023,
+        0.028030997632824604,
+        {},
+        thermoroll::Direction::braking},
+       0.55248928629883121,
+       4.7e-6}};
+  for (const auto& [scene, creep, tolerance] : creeps)
+    EXPECT_LE(off(scene, {Quantity::creep, creep}, tolerance), 1) << creep;
   const Prescribed border{Quantity::stick_slip_border, -1 + 1e-7};  // nodes are moved to the edge
   const auto moved = solve_coupled({0.6, 1e5, 2}, {Formulation::corrected, 1e-6}, border);
   EXPECT_LE(moved.unknowns, 120);
