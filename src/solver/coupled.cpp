@@ -348,10 +348,10 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
-  const double noise = rounding(given, slope, scale);
-  left += errors_near_leading_edge(scene, level, given, share, scale, corrected - noise);
+  const double of_rounding = rounding(given, slope, scale);
+  left += errors_near_leading_edge(scene, level, given, share, scale, corrected - of_rounding);
   left += error_of_bulk(scene, level, given, slope) / scale;
-  return {value, change, left + noise};
+  return {value, change, left + of_rounding};
 }
 
 void add_errors_of_crossing(const Scene& scene, const GridSolution& last, double worst,
