@@ -32,8 +32,6 @@ Carter nearest_carter(const Scene& scene, const Prescribed& given) {
   return carter_given(scene.friction, near);
 }
 
-double faster(const Scene& scene) { return std::max(scene.peclet, peclet_2(scene)); }
-
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& slope) {
   Results error = Results::Zero();
@@ -276,10 +274,12 @@ struct Refinement {
   double worst() const { return error.head(compared).maxCoeff(); }
 };
 
+/// The larger Péclet number.
+double faster(const Scene& scene) { return std::max(scene.peclet, peclet_2(scene)); }
+
 /// On a grid of n unknowns.
 double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
-  const double speed = std::max(scene.peclet, scene.roller.peclet);
-  const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * speed) : 0;
+  const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * faster(scene)) : 0;
   const bool bulk = scene.bulk_difference != 0;
   if (resolved < 1) return bulk ? 4 : 2;
   if (bulk && slow) return 1;
