@@ -468,6 +468,7 @@ study: build/benches-built
 	@mkdir -p build/study figures/measured/study
 	@build/release/thermoroll-study $(STUDY_SCENES) build/study
 	@mv build/study/* figures/measured/study/
+	@echo "Now make golden: a figure of these data has a digest"
 
 ## bench: how long the solvers take
 bench: build/thermoroll-bench

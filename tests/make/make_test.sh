@@ -42,7 +42,8 @@ in_copy() {
 
 # A copy of the project, configured from nothing. Data, figures, the report and most objects are taken over
 # to save the time; of the library for C, the program and a benchmark something is compiled, and of the two texts the
-# short one is woven. Headers that are compiled would be newer than the objects.
+# short one is woven. Headers that are compiled would be newer than the objects. A source that is compiled together
+# with others is known to the build only as one of the files that an object was made of.
 BuildsInFolderWithSpace() {
   rm -rf "$copy"
   mkdir -p "$copy"
@@ -50,7 +51,8 @@ BuildsInFolderWithSpace() {
   make -C "$copy" build/release/with-bench >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   cmake -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$copy/build/release" >"$work/configured" || fail "$(cat "$work/configured")"
   (cd build/release && find CMakeFiles -name '*.c*.o' ! -path '*-c.dir/*' ! -name main.cpp.o ! -name count.cpp.o \
-    -exec cp --parents {} "$copy/build/release" \;)
+    -exec cp --parents {} {}.d "$copy/build/release" \;)
+  find "$copy/build/release" -name '*.o.d' -exec sed -i "s|${project// /\\\\ }/|${copy// /\\\\ }/|g" {} +
   cd "$copy"
   make all build/thermoroll-bench >>"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
