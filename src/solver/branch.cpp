@@ -347,7 +347,7 @@ double worst_of(const Results& error, const Results& scale, int n, bool kinked) 
 std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, Highest top,
                                             GridSolution level) {
   Results last = results_at(top), change = Results::Zero();
-  const LocalCurve coarse = top.local;
+  const Highest coarse = top;
   const bool exact = tolerance < 1e-7;
   bool alone = exact, inside = true;
   TractionLimit limit = unknown;
@@ -357,7 +357,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    inside = move_to(points, coarse, top);
+    inside = move_to(points, coarse.local, top);
     const bool range = is_range(curve, top, points);
     if (range && n > 40) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);
@@ -378,6 +378,11 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     error += error_of_corner(curve, top, points);
     limit = known ? stated(now, error, tolerance / 10 * scale) : unknown;
     if (known && worst < tolerance) break;
+    if (!inside && !alone) {
+      top = coarse;
+      change = change_before;
+      continue;
+    }
     last = now;
     level = points[0].solution;
     alone = points.size() > 2;

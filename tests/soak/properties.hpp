@@ -25,11 +25,13 @@ std::string text(const Sample& x);
 /// 1e-3...1e8, Q*/f log-uniform down to 1e-9 from either end or uniform in between, at the
 /// tolerance 1e-6 or between 1e-8 and 1e-2; the fourth is from the corners: Pe 1e-3...1e8, H 0 or
 /// 1e-6...1e3, f 1e-3...2, and Q*/f down to 1e-12 from either end. In a third of all, the creep or
-/// the border of Carter's solution is given in place of the traction. A third of the cylinders each
-/// insulates, is the same body or conducts otherwise, and half of them brake. Of sixteen scenes one
-/// has a law of friction, one bodies of different diffusivities and one different bulk
-/// temperatures; some laws and half of the last are between bodies of different diffusivities, some
-/// laws have different bulk temperatures, and a quarter of their tractions the falling branch.
+/// the border of Carter's solution is given in place of the traction; half of the creeps are near
+/// the one of full slip in this scene, log-uniform in their distance from it. A third of the
+/// cylinders each insulates, is the same body or conducts otherwise, and half of them brake. Of
+/// sixteen scenes one has a law of friction, one bodies of different diffusivities and one
+/// different bulk temperatures; some laws and half of the last are between bodies of different
+/// diffusivities, some laws have different bulk temperatures, and a quarter of their tractions the
+/// falling branch.
 Sample sample(std::uint64_t seed, std::uint64_t number);
 
 /// How far something may be from what it should be, and the scene in which it was so far.

@@ -746,6 +746,23 @@ TEST(HotFriction, MaximumIsWhereFullSlipBegins) {
   }
 }
 
+// Two points of a grid of 45 unknowns about the maximum, with the hot point between them, put it at
+// the end of the contact; finer grids never came back from there.
+TEST(HotFriction, MaximumThatTwoPointsMissIsFound) {
+  Scene scene{0.13372325882, 1298.15682509, 6.00729918857e-5};
+  scene.roller = {1, scene.heating};
+  scene.law = rational_friction({1.57024443872e-4, 0.687241665737, 1.85582886437e-4});
+  const auto x = solve(scene, {Quantity::traction, 0.052}, 1e-4).limit;
+  ASSERT_TRUE(x);
+  for (const double share : {0.95, 1.0, 1.05}) {
+    const CoupledSolution y = at_creep(scene, share * x->creep, 1e-6);
+    const double more = y.value(Quantity::traction) - x->traction;
+    const double error = x->traction_error + y.error(Quantity::traction);
+    EXPECT_LT(more, error);
+    EXPECT_TRUE(share != 1 || more > -error);
+  }
+}
+
 // Friction that rises and falls has its maximum inside full slip. It was taken for a range.
 TEST(HotFriction, MaximumInsideFullSlipIsFound) {
   const auto bump = [](double temperature) {
