@@ -341,6 +341,18 @@ double worst_of(const Results& error, const Results& scale, int n, bool kinked) 
   return std::max(error(traction), flat ? 0 : error(creep) / scale(creep));
 }
 
+/// Move the maximum to that of these points, or of others about that; whether it is between them.
+bool follow(CreepCurve& curve, const LocalCurve& coarse, Highest& top, Points& points) {
+  bool inside = move_to(points, coarse, top);
+  for (int k = 0; k < 4 && !inside && points.size() == 7 && curve.n < 100; ++k) {
+    const Points next = around(curve, top, true, 1e-3, highest_point(points).solution);
+    if (next.size() < 7) break;
+    points = next;
+    inside = move_to(points, coarse, top);
+  }
+  return inside;
+}
+
 /// None if a range of creeps has the largest traction. Errors may be above the tolerance on the
 /// finest grid, that of the creep thrice so at high speed, and next to a corner of the curve. An
 /// unknown error is infinite.
@@ -357,7 +369,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    inside = move_to(points, coarse.local, top);
+    inside = follow(curve, coarse.local, top, points);
     const bool range = is_range(curve, top, points);
     if (range && n > 40) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);

@@ -354,19 +354,21 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   return {value, change, left + of_rounding};
 }
 
-void add_errors_of_crossing(const Scene& scene, const GridSolution& last, double worst,
+void add_errors_of_crossing(const Scene& scene, const GridSolution& last, const Refinement& found,
                             GridSolution& level) {
   CrossingHeat& now = *level.crossing;
+  const double moved = std::abs(found.value(stick_slip_border) - level.at.c0());
+  const double part = found.worst() + 3 * moved / level.at.slip;
   const auto bulk = bulk_exchange(scene, level.h.size());
   const double size = std::abs(scene.bulk_difference);
   const double of_bulk = bulk ? size * std::abs(bulk->heat) : 0;
-  const double least = worst * std::max(std::abs(now.heat), of_bulk);
+  const double least = part * std::max(std::abs(now.heat), of_bulk);
   now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), least);
-  now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), worst * std::abs(now.edge));
+  now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), part * std::abs(now.edge));
   if (!bulk) return;
-  const double part = tail(bulk->flux);
-  now.heat_error += part / 100 * of_bulk;
-  now.edge_error += size * (part + 2e-9) * std::abs(bulk->edge);
+  const double of_tail = tail(bulk->flux);
+  now.heat_error += of_tail / 100 * of_bulk;
+  now.edge_error += size * (of_tail + 2e-9) * std::abs(bulk->edge);
 }
 
 GridSolution at_predicted_border(const Scene& scene, Formulation formulation, int n,
@@ -515,7 +517,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
     if (level.newton_steps > 0) {
       trace.back().change = found.change.head(compared).maxCoeff();
       trace.back().estimate = worst;
-      if (level.crossing && last.crossing) add_errors_of_crossing(scene, last, worst, level);
+      if (level.crossing && last.crossing) add_errors_of_crossing(scene, last, found, level);
       if (same_violations(level.violations, last.violations)) {
         if (worst <= tolerance) return solution_of(scene, approach, level, found, trace);
         reached = std::min(reached, worst);

@@ -476,6 +476,17 @@ TEST(Exchange, CrossingHeatMayAgreeByChance) {
   EXPECT_LE(std::abs(found.crossing->heat - finer.crossing->heat), found.crossing->heat_error);
 }
 
+// The heats of friction and of the bulk difference nearly cancel here, and two grids share a border
+// that is corrected after them.
+TEST(Exchange, CrossingHeatIsNotCarriedToTheCorrectedBorder) {
+  Scene scene{0.3538108556525, 82595.24956443, 0.039325029081, {1, 0.039325029081, 19754.76961993}};
+  scene.bulk_difference = -1.14208883546727e-5;
+  const Prescribed given{Quantity::creep, 0.0416183092344};
+  const CoupledSolution found = solve_coupled(scene, {Formulation::corrected, 1e-6}, given);
+  const CoupledSolution finer = solve_coupled(scene, {Formulation::corrected, 1e-8}, given);
+  EXPECT_LE(std::abs(found.crossing->heat - finer.crossing->heat), found.crossing->heat_error);
+}
+
 // Near to the state without slip, where the heat of friction is little, and at the trailing edge,
 // the error is that of the flux, which both grids of a solution share.
 TEST(Exchange, TheFluxOfABulkDifferenceHasItsErrors) {

@@ -763,6 +763,23 @@ TEST(HotFriction, MaximumThatTwoPointsMissIsFound) {
   }
 }
 
+// With strong heat a coarse grid has the maximum elsewhere: the curve rises steeply just before all
+// slips, by half in the last two percent of the contact.
+TEST(HotFriction, AMaximumIsFollowed) {
+  Scene scene{0.305571650742, 2254.98854759, 99.1608727905, {1, 99.1608727905}};
+  scene.law = rational_friction({0.00884909273842, 0.891901491943, 0});
+  const auto solved = [&](const Prescribed& given) {
+    return thermoroll::solve_coupled(scene, {Formulation::printed, 7e-3}, given);
+  };
+  const auto x = solved({Quantity::traction, 0.117216605433}).limit;
+  ASSERT_TRUE(x);
+  const CoupledSolution before = solved({Quantity::stick_slip_border, -0.985});
+  EXPECT_GT(x->traction, 1.2 * before.value(Quantity::traction));
+  const CoupledSolution top = solved({Quantity::stick_slip_border, -0.9999});
+  EXPECT_NEAR(top.value(Quantity::traction), x->traction,
+              top.error(Quantity::traction) + x->traction_error);
+}
+
 // Friction that rises and falls has its maximum inside full slip. It was taken for a range.
 TEST(HotFriction, MaximumInsideFullSlipIsFound) {
   const auto bump = [](double temperature) {
