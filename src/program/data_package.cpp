@@ -12,7 +12,7 @@
 namespace thermoroll {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 std::string type_of(std::string name) {
   std::replace(name.begin(), name.end(), '-', '_');
@@ -36,9 +36,9 @@ std::string error_column(std::string name) {
   return (inner ? object : "") + "error_estimate." + name.substr(inner ? object.size() : 0);
 }
 
-json field_of(const SweepTable& t, const WrittenColumn& x) {
+ordered_json field_of(const SweepTable& t, const WrittenColumn& x) {
   const bool is_label = x.cell && t.columns[*x.cell].is_label;
-  json o{{"name", x.name}, {"type", is_label ? "string" : type_of(x.name)}};
+  ordered_json o{{"name", x.name}, {"type", is_label ? "string" : type_of(x.name)}};
   if (is_label || o["type"] == "string" || o["type"] == "boolean") return o;
   const std::string option = x.cell ? unit_of_option(t.columns[*x.cell].option) : "";
   const ColumnMeaning meaning = meaning_of(x.name);
@@ -58,16 +58,17 @@ std::string data_package(const SweepTable& t, const std::string& data, const std
   if (path.empty() || *path.begin() == "..")
     throw std::invalid_argument("datapackage = " + package +
                                 " is not allowed: it must stand above or beside the results");
-  json fields = json::array();
+  ordered_json fields = ordered_json::array();
   for (const WrittenColumn& x : t.written) fields.push_back(field_of(t, x));
   const bool lines = t.how.format == RowFormat::jsonl;
-  const json resource{{"name", "results"},
-                      {"path", path.generic_string()},
-                      {"format", lines ? "jsonl" : "csv"},
-                      {"mediatype", lines ? "application/jsonl" : "text/csv"},
-                      {"encoding", "utf-8"},
-                      {"schema", {{"fields", fields}, {"missingValues", {""}}}}};
-  return json{{"name", "thermoroll-sweep"}, {"resources", json::array({resource})}}.dump(2) + '\n';
+  const ordered_json resource{{"name", "results"},
+                              {"path", path.generic_string()},
+                              {"format", lines ? "jsonl" : "csv"},
+                              {"mediatype", lines ? "application/jsonl" : "text/csv"},
+                              {"encoding", "utf-8"},
+                              {"schema", {{"fields", fields}, {"missingValues", {""}}}}};
+  const auto resources = ordered_json::array({resource});
+  return ordered_json{{"name", "thermoroll-sweep"}, {"resources", resources}}.dump(2) + '\n';
 }
 
 }  // namespace thermoroll

@@ -105,17 +105,17 @@ std::string after_subcommand(const CLI::App& app, const std::string& all) {
 
 }  // namespace
 
-std::string manual_page(const CLI::App& program, const Footers& footers,
+std::string manual_page(const CLI::App& program, const Footers& endings,
                         const std::string& version) {
   const std::string number = version.substr(0, version.find(' '));
   std::string page = ".TH THERMOROLL 1 \"\" \"thermoroll " + number + "\" \"User Commands\"\n";
   page += ".SH NAME\nthermoroll \\- " + roff(program.get_description()) + '\n';
   page += ".SH SYNOPSIS\n\\fBthermoroll\\fR \\fISUBCOMMAND\\fR [\\fIOPTION\\fR]...\n";
-  page += ".SH DESCRIPTION\n" + footer_in_roff(footers.at("")) + options_in_roff(program);
+  page += ".SH DESCRIPTION\n" + footer_in_roff(endings.at("")) + options_in_roff(program);
   for (const CLI::App* command : program.get_subcommands({})) {
     page += ".SH \"thermoroll " + roff(command->get_name()) + "\"\n";
     page += roff(command->get_description()) + ".\n" + options_in_roff(*command);
-    page += ".SS \"\"\n" + footer_in_roff(footers.at(command->get_name()));
+    page += ".SS \"\"\n" + footer_in_roff(endings.at(command->get_name()));
   }
   return page;
 }

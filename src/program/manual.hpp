@@ -14,7 +14,7 @@ namespace thermoroll {
 using Footers = std::map<std::string, const char*>;
 
 /// The manual page of a program with its subcommands, for the macros man of roff.
-std::string manual_page(const CLI::App& program, const Footers& footers,
+std::string manual_page(const CLI::App& program, const Footers& endings,
                         const std::string& version);
 
 /// The words that may follow an option, beside those that it declares, with blanks between them.
