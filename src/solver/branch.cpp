@@ -342,14 +342,15 @@ double worst_of(const Results& error, const Results& scale, int n, bool kinked) 
 }
 
 /// Move the maximum to that of these points, or of others about that; whether it is between them.
-bool follow(CreepCurve& curve, const LocalCurve& coarse, Highest& top, Points& points) {
-  bool inside = move_to(points, coarse, top);
+bool follow(CreepCurve& curve, const Highest& coarse, Highest& top, Points& points) {
+  bool inside = move_to(points, coarse.local, top);
   for (int k = 0; k < 4 && !inside && points.size() == 7 && curve.n < 100; ++k) {
     const Points next = around(curve, top, true, 1e-3, highest_point(points).solution);
     if (next.size() < 7) break;
     points = next;
-    inside = move_to(points, coarse, top);
+    inside = move_to(points, coarse.local, top);
   }
+  if (!inside && points.size() == 2) top = coarse;
   return inside;
 }
 
@@ -369,7 +370,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     Points points = around(curve, top, alone, 1e-3, level);
     if (points.size() < (alone ? 7 : 2)) continue;
     const double before = top.rho;
-    inside = follow(curve, coarse.local, top, points);
+    inside = follow(curve, coarse, top, points);
     const bool range = is_range(curve, top, points);
     if (range && n > 40) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);
@@ -390,11 +391,6 @@ std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, 
     error += error_of_corner(curve, top, points);
     limit = known ? stated(now, error, tolerance / 10 * scale) : unknown;
     if (known && worst < tolerance) break;
-    if (!inside && !alone) {
-      top = coarse;
-      change = change_before;
-      continue;
-    }
     last = now;
     level = points[0].solution;
     alone = points.size() > 2;

@@ -591,8 +591,9 @@ static Prescribed beyond_rest(const Scene& scene, Prescribed given) {
 static double next_to_slip(Random& random, const Sample& x) {
   const double share = random.log_uniform(1e-7, 0.3), sign = random.one_of(4) ? 1 : -1;
   const GridSolution all = next_to_full_slip(x.scene, x.formulation, 40);
-  const bool pulls = all.newton_steps > 0 && all.value(creep) > 0;
-  return pulls ? all.value(creep) * (1 + sign * share) : x.given.value;
+  const double near = all.value(creep) * (1 + sign * share);
+  const bool pulls = all.newton_steps > 0 && beyond_no_slip(x.scene, {creep, near}).value > 0;
+  return pulls ? near : x.given.value;
 }
 
 /// Of sixteen scenes one has a law of friction, one two bodies of different diffusivities, and one
