@@ -341,7 +341,8 @@ double worst_of(const Results& error, const Results& scale, int n, bool kinked) 
   return std::max(error(traction), flat ? 0 : error(creep) / scale(creep));
 }
 
-/// Move the maximum to that of these points, or of others about that; whether it is between them.
+/// Move the maximum to that of these points, or of others about that, or back to the coarse one if
+/// two points miss it; whether it is between them.
 bool follow(CreepCurve& curve, const Highest& coarse, Highest& top, Points& points) {
   bool inside = move_to(points, coarse.local, top);
   for (int k = 0; k < 4 && !inside && points.size() == 7 && curve.n < 100; ++k) {

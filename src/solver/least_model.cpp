@@ -127,10 +127,11 @@ Results grid_error(const Correction& x) {
   const double unequal = std::max(at.stick / at.slip, 1e-3 * at.slip / at.stick);
   const double in_creep = 1.5e-4 + 1.2e-3 * std::min(1.0, unequal / 10);
   const double slips = 6e-3 * std::min(1.0, 3e-5 * at.slip / at.stick);
-  Results share, next_to_slip;
-  share << 1.6e-4, 1.6e-4, 6e-5, in_creep, in_creep, 2.5e-4, 6e-5, 2.2e-3, 1.8e-3, 0, 0;
-  next_to_slip << slips, slips, 0, 0, 0, slips, slips, 0, 0, 0, 0;
-  return x.mean * (share + next_to_slip);
+  const double in_border = 1.6e-4 + slips;
+  Results share;
+  share << in_border, in_border, 6e-5, in_creep, in_creep, 2.5e-4 + slips, 6e-5 + slips, 2.2e-3,
+      1.8e-3, 0, 0;
+  return x.mean * share;
 }
 
 Results error_of_closed_form(const Correction& x) {
