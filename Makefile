@@ -167,7 +167,7 @@ figure_files := $(patsubst %,build/figures/%.svg,$(figures))
 with_live := $(if $(shell echo 'int main() {}' | clang++ --target=wasm32-wasi --sysroot=/usr -x c++ - -o /dev/null 2>/dev/null && echo yes),build/live.html)
 
 # A step is announced by its place among all steps and the seconds since the start.
-steps := build/tangle.stamp build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(recipe_files) $(kept_files) build/benches-built build/data/evaluations.csv \
+steps := build/tangle.stamp build/colours build/built $(addprefix build/live/,$(if $(with_live),solver.wasm)) build/data/claims.txt $(data_files) $(recipe_files) $(kept_files) build/benches-built build/data/evaluations.csv \
   build/data/times.json $(timed_files) $(figure_files) build/report.html build/paper.html
 ifndef THERMOROLL_STARTED
 export THERMOROLL_STARTED := $(shell date +%s)
@@ -199,7 +199,7 @@ all: build/thermoroll
 
 ## reproduce: everything: program, data, figures, report, and the table of claims
 # The benchmarks are compiled and counted first, beside what computes the data.
-reproduce: build/data/evaluations.csv build/data/claims.txt build/report.html build/paper.html
+reproduce: build/colours build/data/evaluations.csv build/data/claims.txt build/report.html build/paper.html
 	@cat build/data/claims.txt
 	@echo "The report is build/report.html, its short version build/paper.html"
 
@@ -337,8 +337,14 @@ build/live.html: build/live/solver.wasm $(live_scripts)
 	@mv $@.tmp $@
 $(live_sources) $(live_scripts): build/tangle.stamp ;
 
+# The colours of the code need neither data nor figures: they are made while a compiler is alone. The filter
+# reads the chapters itself, so the plainest reader does.
+build/colours: $(chapters) paper/weave.lua paper/tangle.lua | build
+	$(call step,colouring the code)
+	@nice -n 19 pandoc $(chapters) -f commonmark -t plain --lua-filter paper/weave.lua -M colours=yes -o $@
+
 build/report.html: as := $(addprefix -M live=yes --include-after-body=,$(with_live))
-build/report.html: $(with_live)
+build/report.html: $(with_live) build/colours
 build/paper.html: as := -M paper=yes
 build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
     $(wildcard figures/measured/*.csv tests/*/*.cpp tests/*/*.sh tests/*/*.py tests/*/CMakeLists.txt) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)

@@ -1643,6 +1643,10 @@ function Pandoc(document)
   end
   draft = document.meta.draft and utils.stringify(document.meta.draft)
   collect_chunks()
+  if document.meta.colours then -- which `make` keeps before there is anything to write them into
+    highlight_all(pieces)
+    return pandoc.Pandoc({})
+  end
   -- First all that has a number, then all that refers to one.
   only_numbered = document.meta.paper ~= nil
   if not document.meta.live then document.blocks = document.blocks:walk({ Div = without_solver }) end
