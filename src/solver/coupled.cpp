@@ -5,7 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <complex>
+#include <exception>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -198,20 +200,30 @@ int unknowns_for_heat(const VectorXd& h, const VectorXd& cold, int digits) {
   return n > 25 ? 30 : static_cast<int>(std::max(n, 20.0));
 }
 
-/// Less than 160 unknowns are enough if the creep is not near the limit.
-bool slips_everywhere(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
-  if (given.quantity != creep) return false;
-  const GridSolution full = next_to_full_slip(scene, formulation, std::max(40, n));
-  const double limit = full.value(creep);
-  const bool near = std::abs(given.value - limit) < 0.1 * limit;
-  if (near && n < 160) return slips_everywhere(scene, formulation, 160, given);
-  return full.newton_steps > 0 && given.value >= limit;
+/// By a grid of n unknowns, or of as many as tell it from the given creep; infinite if none does.
+double creep_of_full_slip(const Scene& scene, Formulation formulation, int n, double given) {
+  const auto limit = [&](int unknowns) {
+    const GridSolution full = next_to_full_slip(scene, formulation, unknowns);
+    return full.newton_steps > 0 ? full.value(creep) : std::numeric_limits<double>::infinity();
+  };
+  const double coarse = limit(n);
+  if (n >= 160 || std::abs(given - coarse) >= 0.1 * coarse) return coarse;
+  const double fine = limit(std::min(2 * n, 160)), left = std::abs(given - fine);
+  return left > std::max(4 * std::abs(fine - coarse), 1e-4 * fine) ? fine : limit(160);
+}
+
+/// That creep, if the whole contact slips at the prescribed one.
+std::optional<double> full_slip_before(const Scene& scene, Formulation formulation, int n,
+                                       const Prescribed& given) {
+  if (given.quantity != creep) return {};
+  const double from = creep_of_full_slip(scene, formulation, std::max(40, n), given.value);
+  return given.value >= from ? std::optional(from) : std::nullopt;
 }
 
 /// The solution on the first grid that has a contact, or else on the finest that has a border; the
-/// derivative of all quantities with respect to the prescribed one goes to slope. No newton_steps
-/// if the whole contact slips at the prescribed creep; throws std::runtime_error if there is no
-/// border.
+/// derivative of all quantities with respect to the prescribed one goes to slope. No newton_steps,
+/// and the creep at which full slip begins, if the whole contact slips at the prescribed creep;
+/// throws std::runtime_error if there is no border.
 GridSolution coarse_solution(const Scene& scene, Formulation formulation, int digits,
                              const Prescribed& given, Results& slope) {
   const bool easy = digits < 4 && scene.friction * heating_of_both(scene) < 0.3;
@@ -230,8 +242,10 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
     if (tried.newton_steps > 0) {
       level = tried;
       slope = better;
-    } else if (slips_everywhere(scene, formulation, n, given)) {
-      return {};
+    } else if (const auto from = full_slip_before(scene, formulation, n, given)) {
+      level = {};
+      level.value(creep) = *from;
+      return level;
     }
   }
   if (level.newton_steps == 0 && std::min(tried.at.slip, tried.at.stick) < 1e-13)
@@ -396,6 +410,56 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
   return level;
 }
 
+struct LastStick {
+  double length, error;  // negative where full slip has begun
+  double creep_by_length;
+};
+
+LastStick last_stick(const Scene& scene, Formulation formulation, double given) {
+  const GridSolution coarse = next_to_full_slip(scene, formulation, 80);
+  const GridSolution one = next_to_full_slip(scene, formulation, 160);
+  const double length = one.at.stick;
+  const auto slope = [&](double step) {
+    const ZoneLengths at = moved_by(one.at, step);
+    const GridSolution other = solve_on_grid(scene, formulation, 160, at, one);
+    return (other.value(creep) - one.value(creep)) / step;
+  };
+  const double here = slope(-0.5 * length), past = given - one.value(creep);
+  const double of_grid = std::abs(one.value(creep) - coarse.value(creep)) / 4;
+  const double bend = std::abs(slope(length) / here - 1);
+  const double error = of_grid + 1e-14 * given + bend * std::abs(past);
+  return {length + past / here, error / std::abs(here), here};
+}
+
+/// The solution with a stick zone of about this length, which is corrected and has its error anew.
+CoupledSolution with_last_stick(const Scene& scene, const Approach& approach, double given,
+                                LastStick& left) {
+  const Approach finer{approach.formulation, std::max(1e-11, approach.tolerance / 10)};
+  for (int k = 0;; ++k) {
+    CoupledSolution x = solve_coupled(scene, finer, {stick_slip_border, left.length - 1});
+    const double missed = (given - x.value(creep)) / left.creep_by_length;
+    left.error = std::abs(missed) + x.error(creep) / std::abs(left.creep_by_length);
+    if (left.error <= approach.tolerance || k == 3 || !(left.length + missed > 0)) return x;
+    left.length += missed;
+  }
+}
+
+CoupledSolution solve_with_little_stick(const Scene& scene, const Approach& approach,
+                                        double given) {
+  LastStick left = last_stick(scene, approach.formulation, given);
+  const bool all_slips = left.length <= 0 || left.length + left.error <= approach.tolerance;
+  CoupledSolution x = all_slips ? solve_full_slip(scene, approach, given)
+                                : with_last_stick(scene, approach, given, left);
+  const double error = std::max(0.0, all_slips ? left.length + left.error : left.error);
+  if (!(error <= approach.tolerance))
+    throw NotResolved("coupled: not resolved to " + shortest(approach.tolerance) + at_best(error),
+                      x.trace);
+  x.error(stick_slip_border) = x.error(slip_length) = error;
+  x.value(creep) = given;
+  x.error(creep) = 0;
+  return x;
+}
+
 double error_of_hottest(const Scene& scene, const GridSolution& level, double estimate,
                         double tolerance) {
   const bool by_tail = scene.law || level.at.variable.beta > 0 || converges_slowly(scene, level.at);
@@ -553,22 +617,27 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const int digits = static_cast<int>(std::ceil(-std::log10(tolerance)));
   Results slope;
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
-  const bool all_slips = level.newton_steps == 0 ||
-                         (level.at.stick < 0.05 && slips_everywhere(scene, formulation, 40, given));
-  if (!all_slips) {
-    struct AllSlips {};
+  std::optional<double> full_slip;  // the creep at which it begins, if before the prescribed one
+  if (level.newton_steps == 0) full_slip = level.value(creep);
+  if (level.at.stick < 0.05 && !full_slip)
+    full_slip = full_slip_before(scene, formulation, 40, given);
+  if (!full_slip) {
+    struct AllSlips : std::exception {};
     try {
       return refine(scene, approach, given, level, slope, [&](int n, const auto& last) {
         const bool is_coarse = last.h.size() == level.h.size();
         GridSolution next =
             at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
         const bool at_the_edge = n >= 60 && next.at.stick < 1e-3;
-        if (at_the_edge && slips_everywhere(scene, formulation, 160, given)) throw AllSlips{};
+        if (at_the_edge) full_slip = full_slip_before(scene, formulation, 160, given);
+        if (full_slip) throw AllSlips{};
         return next;
       });
     } catch (const AllSlips&) {
     }
   }
+  if (given.value < *full_slip + 1e-6 * scene.friction)
+    return solve_with_little_stick(scene, approach, given.value);
   return solve_full_slip(scene, approach, given.value);
 }
 

@@ -1245,6 +1245,41 @@ TEST(Coupled, StickEndsWhereAllSlips) {
     }
 }
 
+// Less than a millionth of the contact sticks: the border that was prescribed is found again from
+// its creep, to the tolerance. A tolerance above the zone leaves it to the error; past it, all
+// slips.
+TEST(Coupled, TheLastOfTheStickZoneIsNotLost) {
+  const thermoroll::Scene hot{friction, 100, 0.3};
+  thermoroll::Scene falling = hot, unlike = hot;
+  falling.law = thermoroll::linear_friction({0.1});
+  unlike.roller = {2, 0.2, 20};
+  for (const thermoroll::Scene& scene : {hot, falling, unlike}) {
+    const auto to = [&](double tolerance, Quantity quantity, double value) {
+      return solve_coupled(scene, {Formulation::corrected, tolerance}, {quantity, value});
+    };
+    const auto creep_of = [&](double stick) {
+      return to(1e-8, Quantity::stick_slip_border, stick - 1).value(Quantity::creep);
+    };
+    const double more = creep_of(3e-7) - creep_of(9e-7);  // by six parts of ten million
+    for (const double stick : {9e-7, 3e-7}) {
+      const double creep = creep_of(stick);
+      const CoupledSolution fine = to(2e-7, Quantity::creep, creep);
+      EXPECT_GT(fine.value(Quantity::stick_slip_border), -1) << stick;
+      EXPECT_LE(fine.error(Quantity::stick_slip_border), 2e-7) << stick;
+      EXPECT_NEAR(fine.value(Quantity::stick_slip_border), stick - 1,
+                  fine.error(Quantity::stick_slip_border) + 2.5e-8)  // of the given creep
+          << stick;
+      const CoupledSolution coarse = to(2e-6, Quantity::creep, creep);
+      EXPECT_GE(coarse.error(Quantity::stick_slip_border),
+                std::abs(coarse.value(Quantity::stick_slip_border) - (stick - 1)))
+          << stick;
+    }
+    const CoupledSolution slips = to(2e-7, Quantity::creep, creep_of(3e-7) + 0.7 * more);
+    EXPECT_EQ(slips.value(Quantity::stick_slip_border), -1);
+    EXPECT_LE(slips.error(Quantity::stick_slip_border), 2e-7);
+  }
+}
+
 // Next to full slip a coarse grid may find a border where there is none, and a correction may point
 // out of the contact: the creep is one part in a million above that of full slip, then about it.
 TEST(Coupled, BorderStaysInTheContact) {
