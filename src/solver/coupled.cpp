@@ -34,6 +34,15 @@ Carter nearest_carter(const Scene& scene, const Prescribed& given) {
   return carter_given(scene.friction, near);
 }
 
+/// The larger Péclet number.
+double faster(const Scene& scene) { return std::max(scene.peclet, peclet_2(scene)); }
+
+/// Whether they differ by more than a factor of thirty, without a bulk difference.
+bool is_uneven(const Scene& scene) {
+  const double slower = std::min(scene.peclet, peclet_2(scene));
+  return is_unlike(scene) && scene.bulk_difference == 0 && faster(scene) > 30 * slower;
+}
+
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& slope) {
   Results error = Results::Zero();
@@ -101,6 +110,7 @@ Results error_of_rules(const Scene& scene, int n) {
   Results errors = Results::Constant(error / 8 * std::clamp(speed, 0.02, 1.0));
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
+  if (is_uneven(scene)) errors += 2e-10;
   return errors;
 }
 
@@ -288,23 +298,21 @@ struct Refinement {
   double worst() const { return error.head(compared).maxCoeff(); }
 };
 
-/// The larger Péclet number.
-double faster(const Scene& scene) { return std::max(scene.peclet, peclet_2(scene)); }
-
 /// On a grid of n unknowns.
 double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
   const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * faster(scene)) : 0;
+  const double times = is_uneven(scene) ? 8 : 1;
   const bool bulk = scene.bulk_difference != 0;
-  if (resolved < 1) return bulk ? 4 : 2;
+  if (resolved < 1) return bulk ? 4 : 2 * times;
   if (bulk && slow) return 1;
-  return resolved < 10 ? 0.5 : 0.25;
+  return (resolved < 10 ? 0.5 : 0.25) * times;
 }
 
 /// The unknowns of the first grid whose error can be told, after a coarse one.
 int least_unknowns(const Scene& scene, int digits, const GridSolution& coarse) {
   if (scene.bulk_difference != 0) return edge_unknowns(scene);
   const int by_digits = (scene.law ? 4 : 5) * std::clamp(digits, 2, 6);
-  if (coarse.crossing) return std::max(by_digits, 15);
+  if (coarse.crossing || is_uneven(scene)) return std::max(by_digits, 15);
   const bool plain = !scene.law && !is_unlike(scene) && coarse.at.variable.beta == 0;
   if (!plain || coarse.h.size() != 10) return by_digits;
   const VectorXd cold = carter_h(coarse.at, scene.friction);
@@ -321,9 +329,10 @@ Results error_of_correction(const Results& value, const Results& slope, const Re
   return error;
 }
 
-double remembered(const Convergence& at, bool layered, bool crossing) {
+double remembered(const Convergence& at, bool layered, bool crossing, bool uneven) {
   const double coarser = static_cast<double>(at.before) / at.n;
   if (layered && !crossing) return coarser * coarser;
+  if (crossing && uneven) return 0.02;
   return at.n > 200 || (crossing && !at.slow) ? 0.004 : 0.01;
 }
 
@@ -337,7 +346,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool layered = scene.law && level.kinks.empty() && decays_slowly(last.h, level.h);
   const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.variable.beta > 0};
-  const double part = remembered(grids, layered, level.crossing.has_value());
+  const double part = remembered(grids, layered, level.crossing.has_value(), is_uneven(scene));
   const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
   const Results share = share_of_heat(scene, level, given, value);

@@ -610,7 +610,8 @@ static void extend(Random& random, std::uint64_t number, Sample& x) {
   if (law && x.given.quantity == traction && random.one_of(4)) x.given.branch = Branch::falling;
   if ((unlike || bulk) && scene.roller.conductivity_ratio == 0)
     scene.roller = {random.log_uniform(0.1, 10), scene.heating};
-  if (unlike) scene.roller.peclet = scene.peclet * random.log_uniform(0.1, 10);
+  const double apart = random.one_of(3) ? 1e5 : 10;
+  if (unlike) scene.roller.peclet = scene.peclet * random.log_uniform(1 / apart, apart);
   if (!bulk) return;
   scene.bulk_difference = (random.one_of(2) ? 1 : -1) * warm * random.log_uniform(1e-3, 1);
   x.given = beyond_rest(scene, x.given);

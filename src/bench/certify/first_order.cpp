@@ -42,7 +42,7 @@ Ball overlap_integrand(const ColdContact& c, const Ball& z, int n, bool far, con
   const Ball sine = sine_of(pi_ball() * x / 2), cosine = sine_of(pi_ball() * (1 - x) / 2);
   const Ball p = 2 * sine * sine, q = 2 * cosine * cosine;  // 1 - cos and 1 + cos
   const Ball half = far ? 1 - z / 2 : c.l, t = (far ? z - 1 : c.c0) + half * p;
-  const Ball before = root(z + half * q + (far ? Ball(0) : 0 * z), analytic);
+  const Ball before = root(z + half * q, analytic);
   const Ball gap = root((far ? z - 2 * c.b : 2 * c.b - z) + half * p, analytic);
   const Ball rest = far ? half * q * gap / before : half * half * p * q / (before * gap);
   return pi_ball() * c.unit * (1 + t) * (n ? t - z : Ball(1)) * rest;

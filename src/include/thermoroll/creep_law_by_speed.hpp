@@ -32,6 +32,7 @@ using SceneBySpeed = std::function<Scene(double)>;
 /// Its stated errors are below the tolerance, from 3e-7 to 1e-2, but for the exceptions of a
 /// CreepLaw; the error of T* is relative to its largest at unit_creep. Throws as creep_law does,
 /// where the laws of two speeds close to each other cannot be joined. Calls scene_at from several
+/// threads at once.
 CreepLawBySpeed creep_law_by_speed(const SceneBySpeed& scene_at, Formulation formulation,
                                    double from, double to, double tolerance = 1e-4);
 
