@@ -10,6 +10,7 @@
 #include <iterator>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -523,7 +524,9 @@ thermoroll_law* thermoroll_law_new(const thermoroll_scene* scene, double reach,
   attempt(*info, [&] {
     const Approach by = approach_of(*scene);
     const auto [of, unit] = scene_of_law(*scene);
-    if (!(reach > 0)) require(false, "reach", reach, "positive");
+    if (!(reach > 0))  // infinity is
+      throw std::invalid_argument("reach = " + shortest(reach) +
+                                  " is not allowed: it must be positive");
     const double farthest = reach / unit.creep;
     const CreepLaw law = creep_law(of, by.formulation, by.tolerance, {-farthest, farthest});
     tell(law, unit, *info);

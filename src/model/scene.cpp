@@ -64,6 +64,13 @@ void check(const Scene& scene) {
   require(scene.bulk_difference == 0 || roller.conductivity_ratio > 0, "bulk-difference",
           scene.bulk_difference, "0, as the roller is an insulator");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
+  if (scene.law) check_friction(scene.law, 0);
+}
+
+void check_friction(const FrictionLaw& law, double temperature) {
+  const double phi = law(temperature).value;
+  require(phi >= 0, "the law of friction at T* = " + shortest(temperature), phi,
+          "zero or positive");
 }
 
 void check_but_half_width(const PhysicalScene& si) {

@@ -50,7 +50,8 @@ Results error_of_bulk(const Scene& scene, const GridSolution& level, const Presc
   if (!x) return error;
   error(traction) = x->rest.traction_error;
   error(creep) = error(creep_constant) = x->rest.creep_error;
-  error(max_temperature) = x->temperature_error;
+  const bool at_the_edge = 1 - level.value(max_temperature_at) < 0.01;
+  error(max_temperature) = (at_the_edge ? 4 : 1) * x->temperature_error;
   error(heat_integral) = scene.friction * level.value(slip_length) * x->rest.creep_error;
   error += slope.abs() * error(given.quantity);
   error(given.quantity) = 0;

@@ -422,6 +422,8 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   Solution x = solve_turned(
       turned, {given.quantity, braking ? -given.value : given.value, given.branch}, approach);
   turn(x);
+  if (turned.law)
+    for (int i = 0; i <= 32; ++i) check_friction(turned.law, i / 32.0 * x.value(max_temperature));
   return x;
 }
 

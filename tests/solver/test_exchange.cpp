@@ -1054,4 +1054,20 @@ TEST(Exchange, ErrorsOfTinySlipZones) {
     EXPECT_GT(y.error(q), std::numeric_limits<double>::epsilon() * std::abs(y.value(q)));
 }
 
+// The slip zone is a thousandth of the contact, at the trailing edge, where the flux of a bulk
+// difference has all of its error.
+TEST(Exchange, ATinySlipZoneHasTheErrorOfTheEdge) {
+  Scene scene{0.12821883444443144, 8977.595717298387, 7.716542187336979e-06};
+  scene.roller = {1, scene.heating, 5564.430660100562};
+  scene.bulk_difference = 1.3424214186775992e-05;
+  const Prescribed pull{Quantity::traction, 9.722025409878599e-05};
+  const CoupledSolution fine = solve_coupled(scene, {Formulation::printed, 1e-9}, pull);
+  for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+    const CoupledSolution x = solve_coupled(scene, {Formulation::printed, tolerance}, pull);
+    for (int k = 0; k < compared; ++k)
+      EXPECT_LE(std::abs(x.value[k] - fine.value[k]), x.error[k] + fine.error[k])
+          << tolerance << ": " << k;
+  }
+}
+
 }  // namespace

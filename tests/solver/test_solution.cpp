@@ -123,6 +123,41 @@ TEST(Solution, RoundingStaysWithinItsBounds) {
   }
 }
 
+// A law may be wrong at the bulk temperature, or only where the contact gets that hot.
+TEST(Solution, LawsOfOnesOwnAreChecked) {
+  const auto solved = [](const FrictionLaw& law) {
+    Scene scene{0.6, 100, 0.0175};
+    scene.law = law;
+    return solve(scene, {Quantity::creep, 0.3});
+  };
+  const auto refusal = [&](const FrictionLaw& law) -> std::string {
+    try {
+      solved(law);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_NO_THROW(solved([](double) { return thermoroll::RelativeFriction{0.5, 0}; }));
+  EXPECT_EQ(refusal([](double) {
+              return thermoroll::RelativeFriction{-0.2, 0};
+            }),
+            "the law of friction at T* = 0 = -0.2 is not allowed: it must be zero or positive");
+  EXPECT_NE(refusal([](double) {
+              return thermoroll::RelativeFriction{std::nan(""), 0};
+            }).find("it must be finite and zero or positive"),
+            std::string::npos);
+  Scene warmer{0.6, 100, 0.0175, {1, 0.0175, 50}};
+  warmer.bulk_difference = 0.05;
+  warmer.law = [](double t) { return thermoroll::RelativeFriction{1 - 50 * t, -50}; };
+  try {
+    solve(warmer, {Quantity::stick_slip_border, 0.2});
+    ADD_FAILURE() << "friction below zero";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()).find("the law of friction at T* = 0.0"), 0u);
+  }
+}
+
 // The largest of 20000 samples is below the peak, and near a smooth maximum by at most half the
 // curvature times the square of the distance: below 1e-7 of the peak in coordinates of the slip
 // zone, where the flux is (b + h u) sqrt(u (1 - u)). The traction has a corner, near which its

@@ -5,13 +5,14 @@
 
 namespace thermoroll {
 
-/// The friction coefficient at a temperature, over f, and its derivative with respect to T*.
+/// The friction coefficient at a temperature, as a fraction of f, zero or positive, and its exact
+/// derivative with respect to T*, on which results depend.
 struct RelativeFriction {
   double value, slope;
 };
 
 /// phi(T*) of f phi(T*), T* being the rise over the bulk temperature of the half-space; empty for
-/// constant friction.
+/// constant friction. Continuous; may be called from several threads at once.
 using FrictionLaw = std::function<RelativeFriction(double temperature)>;
 
 enum class LawKind { linear, exponential, rational, piecewise_linear };

@@ -27,7 +27,7 @@ struct Scene {
   double peclet;    ///< Pe = V a / 2k > 0
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
   Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct
-  Direction direction = Direction::driving;
+  Direction direction = Direction::driving;  ///< counts for a border; see solve() for the others
   FrictionLaw law{};  ///< friction by temperature (@sec:hot-friction); constant if empty
   /// Theta, by how much a cylinder that conducts is warmer far away, in units of T*
   /// (@sec:exchange).
@@ -118,6 +118,9 @@ PhysicalScene wheel_on_rail();
 void check(const Scene& scene);
 void check(const PhysicalScene& si);
 void check_but_half_width(const PhysicalScene& si);
+
+/// The same for friction by temperature: not negative at this T*.
+void check_friction(const FrictionLaw& law, double temperature);
 
 /// Throw std::invalid_argument "name = value is not allowed: it must be range", unless allowed
 /// and value is finite.

@@ -33,7 +33,10 @@ struct Solution {
   std::vector<GridStep> trace{};        ///< the grids of the coupled solver; empty for the others
 };
 
-/// Solve the scene for the prescribed quantity.
+/// Solve the scene for the prescribed quantity. A negative traction or creep brakes, whatever the
+/// direction of the scene, or one below that without slip if the bulk temperatures differ; a border
+/// has the scene's direction. The errors of the closed form are those of rounding: they leave out
+/// the effect of heat on the tractions.
 /// Throws std::invalid_argument for data out of range or a quantity that the method cannot start
 /// from, and std::runtime_error where the coupled solver finds no solution or an integral is not
 /// resolved; an iteration of the scheme that does not converge is told by `converged`.
