@@ -27,7 +27,8 @@ constexpr SceneOption group_options[] = {
      &SceneOptions::heating}};
 
 constexpr SceneOption si_options[] = {
-    {"--load", "N/m", "load per unit length P", &SceneOptions::load},
+    {"--load", "N/m", "load per unit length P: a wheel's load over the width of its contact",
+     &SceneOptions::load},
     {"--speed", "m/s", "rolling speed V", &SceneOptions::speed},
     {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &SceneOptions::shear_modulus},
     {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &SceneOptions::poisson},

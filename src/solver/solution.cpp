@@ -370,6 +370,10 @@ void set_sizes(PhysicalResults& y, const PhysicalScene& si, double load_ratio) {
   y.half_width_over_radius = hertz * hertz / si.half_width;
 }
 
+bool is_of_a_wheel(const PhysicalResults& x, double least) {
+  return x.hertz_pressure < least && x.half_width <= 0.1;
+}
+
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
                                           double friction) {
   struct Limit {
@@ -405,6 +409,11 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                     (value > 0 ? " is above " : " is below -") + rounded(most, 4) + " (" + meaning +
                     "): " + question);
   }
+  if (is_of_a_wheel(x, si.shear_modulus / 5000))
+    notes.push_back("hertz_pressure = " + rounded(x.hertz_pressure, 3) + " is below " +
+                    rounded(si.shear_modulus / 5000, 4) +
+                    " (a five-thousandth of the shear modulus): is the load that of a metre of "
+                    "the contact's width?");
   return notes;
 }
 
