@@ -959,6 +959,28 @@ NotesOnCreepCurves() {
   grep -q '^thermoroll: note: the curve ends at the creep 0.00[0-9]*: the solution is not resolved (a larger tolerance may go on)$' err || fail "$(cat err)"
 }
 
+# A failure is told with the notes on its data, in one line; without them where the data are as they should be.
+NotesOnFailures() {
+  local si=("${wheel[@]}" --roller identical) about="; note: grueneisen = 1.[0-9]*e+06 is above 5 (solids have 0.5 to 2): are expansion and diffusivity and conductivity in SI units?"
+  fails() { # fails STATUS BEGINNING NOTE ARGUMENT...
+    local expected=$1 beginning=$2 note=$3
+    shift 3
+    run "$@"
+    [ $status -eq "$expected" ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] || fail "$* gave status $status: $(cat err)"
+    grep -q "^thermoroll: $beginning.*$note\$" err || fail "$* said: $(cat err)"
+  }
+  fails 1 "coupled: " "$about" solve "${si[@]/1.4e-5/14}" --traction 0.2
+  fails 1 "coupled: " "$about" solve "${si[@]/1.1e-5/11}" --traction 0.2
+  # The creep of a contact that slips is told beside it, as a ratio or not.
+  fails 1 "coupled: " "; note: creep_ratio = 0.9 is above 0.1 .*$about" solve "${si[@]/1.4e-5/14}" --creep-ratio 0.9
+  fails 2 "creep-ratio = 0.9: creep = " " creep 1 is creep-ratio [0-9.e-]*); note: creep_ratio = 0.9 is above 0.1 .*$about" \
+    solve "${wheel[@]/1.4e-5/14}" --creep-ratio 0.9
+  fails 2 "creep = 20 is" "); note: creep_ratio = 0.754 is above 0.1 .*$about" solve "${wheel[@]/1.4e-5/14}" --creep 20
+  fails 1 "law: " "$about" law "${wheel[@]/1.1e-5/11}"
+  fails 1 "law: " "$about" creep-curve "${wheel[@]/1.1e-5/11}"
+  fails 2 "to-ratio = 0.01 is" ", where the curve ends: .*$about" creep-curve "${si[@]/1.4e-5/14}" --to-ratio 0.01
+}
+
 # A radius and the half-width found for it are the same scene.
 RadiusAgreesWithHalfWidth() {
   local method radius
