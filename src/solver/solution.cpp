@@ -562,6 +562,17 @@ std::string units_told(const GivenScene& c) {
          rounded(ratio_of_creep(si), 4) + ")";
 }
 
+std::string limit_told(const GivenScene& c, const TractionLimit& limit) {
+  const PhysicalScene si = with_half_width(c);
+  return " (" + rounded(limit.traction * si.load, 6) + " N/m, at the creep-ratio " +
+         rounded(limit.creep * ratio_of_creep(si), 4) + ")";
+}
+
+std::string told_in_si(const GivenScene& c, const std::invalid_argument& refusal) {
+  const auto* beyond = dynamic_cast<const BeyondLimit*>(&refusal);
+  return beyond ? limit_told(c, beyond->limit) : units_told(c);
+}
+
 std::string notes_told(const GivenScene& c) {
   const PhysicalScene si = with_half_width(c);
   const Prescribed given = dimensionless(si, c.given, c.unit);
@@ -604,7 +615,7 @@ SolvedScene solve_scene(const GivenScene& c) try {
   const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
   if (!c.physical || !about_it) throw;
   const std::string given = c.as_given.empty() ? "" : c.as_given + ": ";
-  throw std::invalid_argument(given + text + units_told(c) + notes_told(c));
+  throw std::invalid_argument(given + text + told_in_si(c, refusal) + notes_told(c));
 } catch (const std::runtime_error&) {
   if (!c.physical) throw;
   throw_again_with(notes_told(c));

@@ -182,7 +182,18 @@ TangentialLoad() {
   done
   refuses 2 "tangential-load = 6e+06 over load = 1.2e+07: traction = 0.5 is not allowed: it must be at most 0." \
     solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
-  grep -q ' (traction 1 is 1.2e+07 N/m, creep 1 is creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
+  grep -q ' (4.67[0-9]*e+06 N/m, at the creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
+  # The largest is that of an answer, with the sign of the force.
+  local falls=("${steel[@]:0:2}" "${steel[@]:4}" --half-width 5.5e-3 --friction-law linear --friction-temperature 200) sign
+  for sign in "" -; do
+    answers solve "${falls[@]}" --tangential-load ${sign}1e6 --format json
+    local most=$(value tangential_load_limit) at=$(value creep_ratio_at_limit)
+    refuses 2 "tangential-load = ${sign}6e+06 over load" solve "${falls[@]}" --tangential-load ${sign}6e6
+    near "$(sed -n 's/.* (\(.*\) N\/m, at the creep-ratio .*)$/\1/p' err)" "$most" 10
+    near "$(sed -n 's/.* N\/m, at the creep-ratio \(.*\))$/\1/p' err)" "$at" 1e-6
+    refuses 2 "traction = ${sign}0.5 is not allowed: it must be at " solve "${falls[@]}" --traction ${sign}0.5
+    near "$(sed -n 's/.* (\(.*\) N\/m, at the creep-ratio .*)$/\1/p' err)" "$most" 10
+  done
   # The unit of a creep that is refused, here of one at which all slips, is that of the scene.
   answers solve "${data[@]}" --creep-ratio 0.005 --format json
   local creep=$(value creep)
