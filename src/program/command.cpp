@@ -314,6 +314,15 @@ std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double 
   return notes;
 }
 
+/// What make() returns; a failure has the notes of @sec:limits in its message.
+template <class Make>
+auto noted(const AllCreeps& c, const Make& make) try {
+  return make();
+} catch (const std::exception&) {
+  if (!c.physical) throw;
+  throw_again_with(in_a_message(notes_on(*c.physical, c.scene.friction, 0, 0)));
+}
+
 constexpr double law_tolerance = 1e-4;
 
 CreepLawBySpeed law_of(const AllCreeps& c, const Maybe& to_speed, double tolerance) {
@@ -333,7 +342,8 @@ CreepLawBySpeed law_of(const AllCreeps& c, const Maybe& to_speed, double toleran
 
 void run_law(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
-  const CreepLawBySpeed law = law_of(c, o.to_speed, o.of_scene.tolerance.value_or(law_tolerance));
+  const double tolerance = o.of_scene.tolerance.value_or(law_tolerance);
+  const CreepLawBySpeed law = noted(c, [&] { return law_of(c, o.to_speed, tolerance); });
   deliver({{law_text(law, c.scene, c.formulation, c.units, value_of(language_names, o.language)),
             o.output}});
   say_reference(o.of_scene);
@@ -398,9 +408,13 @@ void run_creep_curve(const Options& o) {
                to = last_end.asked ? *last_end.asked * last_end.unit : far;
   require(from < to, first_end.name, from / first_end.unit,
           "below --" + last_end.name + ", " + shortest(to / last_end.unit));
-  const CreepLaw law =
-      creep_law(c.scene, c.formulation, o.of_scene.tolerance.value_or(law_tolerance), {from, to});
-  const CurveRange range{bound(first_end, from, law), bound(last_end, to, law), o.points};
+  const double tolerance = o.of_scene.tolerance.value_or(law_tolerance);
+  const CreepLaw law = noted(c, [&] {
+    return creep_law(c.scene, c.formulation, tolerance, {from, to});
+  });
+  const CurveRange range = noted(c, [&] {
+    return CurveRange{bound(first_end, from, law), bound(last_end, to, law), o.points};
+  });
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);

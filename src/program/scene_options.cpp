@@ -27,7 +27,8 @@ constexpr SceneOption group_options[] = {
      &SceneOptions::heating}};
 
 constexpr SceneOption si_options[] = {
-    {"--load", "N/m", "load per unit length P", &SceneOptions::load},
+    {"--load", "N/m", "load per unit length P: a wheel's load over the width of its contact",
+     &SceneOptions::load},
     {"--speed", "m/s", "rolling speed V", &SceneOptions::speed},
     {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &SceneOptions::shear_modulus},
     {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &SceneOptions::poisson},
@@ -63,10 +64,12 @@ constexpr SceneOption law_options[] = {
     {"--friction-temperature", "NUMBER",
      "T0*, the scale of the law, or in K with SI data; for linear below 0 where friction rises",
      &SceneOptions::friction_temperature},
-    {"--friction-floor", "NUMBER", "least friction over f, 0 unless given (piecewise-linear: last)",
+    {"--friction-floor", "NUMBER",
+     "least friction as a fraction of f, 0 unless given (piecewise-linear: the last one)",
      &SceneOptions::friction_floor},
     {"--friction-reference-temperature", "NUMBER",
-     "up to where friction is f: T* over the half-space's bulk, degree C in SI; else that bulk",
+     "up to where friction is f: T* above the half-space's bulk temperature, degree C in SI; else "
+     "that bulk",
      &SceneOptions::friction_reference_temperature}};
 
 constexpr SceneOption bulk_options[] = {

@@ -467,20 +467,25 @@ void refuse_near(const TractionLimit& limit, double asked, double tolerance) {
   throw NotResolved("coupled: the largest traction is not resolved to " + to, {});
 }
 
+[[noreturn]] void refuse_above(const TractionLimit& limit, double asked, double sign) {
+  const TractionLimit largest{sign * limit.traction, sign * limit.creep, limit.traction_error,
+                              limit.creep_error};
+  throw BeyondLimit("traction = " + shortest(sign * asked) + " is not allowed: it must be " +
+                        (sign > 0 ? "at most " : "at least ") + fixed(largest.traction, 6) +
+                        ", the largest, at the creep " + fixed(largest.creep, 6),
+                    largest);
+}
+
 void refuse_beyond(const Points& points, const std::optional<TractionLimit>& limit, Branch branch,
                    double asked, double sign) {
   const auto must_be = [&](bool allowed, const std::string& range) {
     require(allowed, "traction", sign * asked, range);
   };
   const std::string below = sign > 0 ? "below " : "above ", above = sign > 0 ? "above " : "below ";
-  const std::string at_most = sign > 0 ? "at most " : "at least ";
   const auto highest = std::max_element(points.begin(), points.end(), is_lower);
   if (branch == Branch::falling && !is_lower(points.back(), *highest))
     throw std::invalid_argument("branch = falling does not exist: the traction has no maximum");
-  if (limit)
-    must_be(asked <= limit->traction, at_most + fixed(sign * limit->traction, 6) +
-                                          ", the largest, at the creep " +
-                                          fixed(sign * limit->creep, 6));
+  if (limit && asked > limit->traction) refuse_above(*limit, asked, sign);
   const double most = highest->traction(), least = points.back().traction();
   if (!limit) must_be(asked < most, below + fixed(sign * most, 4));
   if (branch == Branch::falling)

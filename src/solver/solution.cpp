@@ -370,6 +370,10 @@ void set_sizes(PhysicalResults& y, const PhysicalScene& si, double load_ratio) {
   y.half_width_over_radius = hertz * hertz / si.half_width;
 }
 
+bool is_of_a_wheel(const PhysicalResults& x, double least) {
+  return x.hertz_pressure < least && x.half_width <= 0.1;
+}
+
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
                                           double friction) {
   struct Limit {
@@ -405,6 +409,11 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                     (value > 0 ? " is above " : " is below -") + rounded(most, 4) + " (" + meaning +
                     "): " + question);
   }
+  if (is_of_a_wheel(x, si.shear_modulus / 5000))
+    notes.push_back("hertz_pressure = " + rounded(x.hertz_pressure, 3) + " is below " +
+                    rounded(si.shear_modulus / 5000, 4) +
+                    " (a five-thousandth of the shear modulus): is the load that of a metre of "
+                    "the contact's width?");
   return notes;
 }
 
@@ -541,12 +550,56 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
   throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
 }
 
-std::string units_told(const GivenScene& c) {
+PhysicalScene with_half_width(const GivenScene& c) {
   PhysicalScene si = *c.physical;
   if (c.radius) si.half_width = hertz_half_width(si.load, *c.radius, si.shear_modulus, si.poisson);
-  const double ratio = units_of(si, c.scene.friction).slip / si.speed;
+  return si;
+}
+
+double ratio_of_creep(const PhysicalScene& si) { return units_of(si, 1).slip / si.speed; }
+
+std::string units_told(const GivenScene& c) {
+  const PhysicalScene si = with_half_width(c);
   return " (traction 1 is " + rounded(si.load, 6) + " N/m, creep 1 is creep-ratio " +
-         rounded(ratio, 4) + ")";
+         rounded(ratio_of_creep(si), 4) + ")";
+}
+
+std::string limit_told(const GivenScene& c, const TractionLimit& limit) {
+  const PhysicalScene si = with_half_width(c);
+  return " (" + rounded(limit.traction * si.load, 6) + " N/m, at the creep-ratio " +
+         rounded(limit.creep * ratio_of_creep(si), 4) + ")";
+}
+
+std::string told_in_si(const GivenScene& c, const std::invalid_argument& refusal) {
+  const auto* beyond = dynamic_cast<const BeyondLimit*>(&refusal);
+  return beyond ? limit_told(c, beyond->limit) : units_told(c);
+}
+
+std::string notes_told(const GivenScene& c) {
+  const PhysicalScene si = with_half_width(c);
+  const Prescribed given = dimensionless(si, c.given, c.unit);
+  const double creep_ratio = given.quantity == creep ? given.value * ratio_of_creep(si) : 0;
+  return in_a_message(notes_on(si, c.scene.friction, creep_ratio, 0));
+}
+
+std::string in_a_message(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += "; note: " + note;
+  return text;
+}
+
+void throw_again_with(const std::string& more) {
+  try {
+    throw;
+  } catch (const NotResolved& failure) {
+    throw NotResolved(failure.what() + more, failure.trace);
+  } catch (const NotConverged& failure) {
+    throw NotConverged(failure.what() + more);
+  } catch (const std::runtime_error& failure) {
+    throw std::runtime_error(failure.what() + more);
+  } catch (const std::invalid_argument& failure) {
+    throw std::invalid_argument(failure.what() + more);
+  }
 }
 
 SolvedScene solve_scene(const GivenScene& c) try {
@@ -564,7 +617,10 @@ SolvedScene solve_scene(const GivenScene& c) try {
   const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
   if (!c.physical || !about_it) throw;
   const std::string given = c.as_given.empty() ? "" : c.as_given + ": ";
-  throw std::invalid_argument(given + text + units_told(c));
+  throw std::invalid_argument(given + text + told_in_si(c, refusal) + notes_told(c));
+} catch (const std::runtime_error&) {
+  if (!c.physical) throw;
+  throw_again_with(notes_told(c));
 }
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {

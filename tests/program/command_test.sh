@@ -182,7 +182,18 @@ TangentialLoad() {
   done
   refuses 2 "tangential-load = 6e+06 over load = 1.2e+07: traction = 0.5 is not allowed: it must be at most 0." \
     solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
-  grep -q ' (traction 1 is 1.2e+07 N/m, creep 1 is creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
+  grep -q ' (4.67[0-9]*e+06 N/m, at the creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
+  # The largest is that of an answer, with the sign of the force.
+  local falls=("${steel[@]:0:2}" "${steel[@]:4}" --half-width 5.5e-3 --friction-law linear --friction-temperature 200) sign
+  for sign in "" -; do
+    answers solve "${falls[@]}" --tangential-load ${sign}1e6 --format json
+    local most=$(value tangential_load_limit) at=$(value creep_ratio_at_limit)
+    refuses 2 "tangential-load = ${sign}6e+06 over load" solve "${falls[@]}" --tangential-load ${sign}6e6
+    near "$(sed -n 's/.* (\(.*\) N\/m, at the creep-ratio .*)$/\1/p' err)" "$most" 10
+    near "$(sed -n 's/.* N\/m, at the creep-ratio \(.*\))$/\1/p' err)" "$at" 1e-6
+    refuses 2 "traction = ${sign}0.5 is not allowed: it must be at " solve "${falls[@]}" --traction ${sign}0.5
+    near "$(sed -n 's/.* (\(.*\) N\/m, at the creep-ratio .*)$/\1/p' err)" "$most" 10
+  done
   # The unit of a creep that is refused, here of one at which all slips, is that of the scene.
   answers solve "${data[@]}" --creep-ratio 0.005 --format json
   local creep=$(value creep)
@@ -928,6 +939,9 @@ NotesOnDataBeyondTheModel() {
   [ $status -eq 0 ] && [ "$(wc -l <err)" -eq 4 ] || fail "status $status: $(cat err)"
   run solve "${wheel[@]/1.4e-5/14}" --traction 0.3 --method closed-form # in mm^2/s
   grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 5 .*: are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
+  # The load of a wheel in N.
+  run solve "${wheel[@]/1.2e7/1.08e5}" --creep-ratio 0.005
+  [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+07 (a five-thousandth of the shear modulus): is the load that of a metre of the contact's width?"
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   [ "$(value notes)" = "[]" ] || fail "a note on the paper's scene: $(cat out)"
   answers solve "${paper_scene[@]}" --format json
@@ -954,6 +968,28 @@ NotesOnCreepCurves() {
   run law --friction 0.6 --peclet 1e5 --heating 30 --format json
   [ $status -eq 0 ] || fail "status $status"
   grep -q '^thermoroll: note: the curve ends at the creep 0.00[0-9]*: the solution is not resolved (a larger tolerance may go on)$' err || fail "$(cat err)"
+}
+
+# A failure is told with the notes on its data, in one line; without them where the data are as they should be.
+NotesOnFailures() {
+  local si=("${wheel[@]}" --roller identical) about="; note: grueneisen = 1.[0-9]*e+06 is above 5 (solids have 0.5 to 2): are expansion and diffusivity and conductivity in SI units?"
+  fails() { # fails STATUS BEGINNING NOTE ARGUMENT...
+    local expected=$1 beginning=$2 note=$3
+    shift 3
+    run "$@"
+    [ $status -eq "$expected" ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] || fail "$* gave status $status: $(cat err)"
+    grep -q "^thermoroll: $beginning.*$note\$" err || fail "$* said: $(cat err)"
+  }
+  fails 1 "coupled: " "$about" solve "${si[@]/1.4e-5/14}" --traction 0.2
+  fails 1 "coupled: " "$about" solve "${si[@]/1.1e-5/11}" --traction 0.2
+  # The creep of a contact that slips is told beside it, as a ratio or not.
+  fails 1 "coupled: " "; note: creep_ratio = 0.9 is above 0.1 .*$about" solve "${si[@]/1.4e-5/14}" --creep-ratio 0.9
+  fails 2 "creep-ratio = 0.9: creep = " " creep 1 is creep-ratio [0-9.e-]*); note: creep_ratio = 0.9 is above 0.1 .*$about" \
+    solve "${wheel[@]/1.4e-5/14}" --creep-ratio 0.9
+  fails 2 "creep = 20 is" "); note: creep_ratio = 0.754 is above 0.1 .*$about" solve "${wheel[@]/1.4e-5/14}" --creep 20
+  fails 1 "law: " "$about" law "${wheel[@]/1.1e-5/11}"
+  fails 1 "law: " "$about" creep-curve "${wheel[@]/1.1e-5/11}"
+  fails 2 "to-ratio = 0.01 is" ", where the curve ends: .*$about" creep-curve "${si[@]/1.4e-5/14}" --to-ratio 0.01
 }
 
 # A radius and the half-width found for it are the same scene.

@@ -128,4 +128,15 @@ CaseFileTakesOptions() {
   [ "$(column direction out)" = braking ] || fail "$(cat out)"
 }
 
+# CONTACT's law at the hottest point, FREF + DFHEAT T / DTHEAT, and the strip has Hertz's pressure.
+LawOfContact() {
+  answers solve --config "$recipes/contact-law.toml" --format csv
+  local hottest pressure least
+  hottest=$(column physical.contact_temperature_celsius out) pressure=$(column physical.hertz_pressure out)
+  least=$(column friction_min out)
+  awk -v t="$hottest" -v p="$pressure" -v f="$least" 'function near(a, b, by) { return (a - b) ^ 2 <= by * by }
+    BEGIN { exit !(100 < t && t < 200 && near(f, 0.3 - 0.18 * t / 400, 1e-6) && near(p, 770.41e6, 1e5)) }' || fail "$(cat out)"
+  [ "$(column full_slip out)" = true ] || fail "$(cat out)"
+}
+
 "$1"

@@ -25,6 +25,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using reference::close;
 using reference::Real;
+using thermoroll::BeyondLimit;
 using thermoroll::Branch;
 using thermoroll::CoupledSolution;
 using thermoroll::Direction;
@@ -41,6 +42,7 @@ using thermoroll::RelativeFriction;
 using thermoroll::Roller;
 using thermoroll::Scene;
 using thermoroll::solve_on_grid;
+using thermoroll::TractionLimit;
 
 constexpr double friction = 0.6;
 
@@ -1071,6 +1073,22 @@ TEST(HotFriction, RefusesBeyondTheMaximum) {
                         "at most 0.397765, the largest, at the creep 0.2353"));
     EXPECT_TRUE(refused(scene, {Quantity::traction, 0.7, branch}, "at most 0.397765"));
     EXPECT_TRUE(refused(scene, {Quantity::traction, 0, branch}, "traction = 0 "));
+  }
+  // The maximum is that of an answer, with its sign.
+  for (const Direction direction : {Direction::driving, Direction::braking}) {
+    Scene turned = scene;
+    turned.direction = direction;
+    const double sign = direction == Direction::braking ? -1 : 1;
+    const TractionLimit limit = solve(turned, {Quantity::traction, 0.39}, 1e-6).limit.value();
+    try {
+      solve(turned, {Quantity::traction, 0.398}, 1e-6);
+      ADD_FAILURE() << "solved";
+    } catch (const BeyondLimit& refusal) {
+      EXPECT_NEAR(sign * refusal.limit.traction, limit.traction, 1e-6);
+      EXPECT_NEAR(sign * refusal.limit.creep, limit.creep, 1e-5);
+      EXPECT_GT(refusal.limit.traction_error, 0);
+      EXPECT_GT(refusal.limit.creep_error, 0);
+    }
   }
   EXPECT_NO_THROW(solve(scene, {Quantity::traction, 0.3977, Branch::falling}, 1e-6));
   const Scene rises = hot(100, 0.0175, linear_friction({-0.05}));

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -858,6 +859,79 @@ TEST(Solution, NotesBeginAtTheLimits) {
     EXPECT_EQ(y.notes.size(), count);
   }
   for (const auto& [name, times] : noted) EXPECT_TRUE(20 < times && times < 380) << name << times;
+}
+
+/// The failure, of exactly its type, after it was thrown with more words.
+template <class Failure>
+std::optional<Failure> thrown_with(const std::string& more, const Failure& failure) {
+  try {
+    try {
+      throw failure;
+    } catch (const std::exception&) {
+      throw_again_with(more);
+    }
+  } catch (const Failure& told) {
+    return typeid(told) == typeid(Failure) ? std::optional(told) : std::nullopt;
+  }
+}
+
+// A failure with more words has its type and its grids. With a diffusivity in mm^2/s no contact is
+// found, and the message says so before the notes on the data; with a half-width or a radius, whose
+// scene is almost the same, and without any note where the data are groups.
+TEST(Solution, FailuresKeepTheirTypeWithNotes) {
+  const auto last_words = [](const auto& told) { return std::string(told.value().what()); };
+  const auto resolved = thrown_with("; b", NotResolved("a", {GridStep{}, GridStep{}}));
+  EXPECT_EQ(last_words(resolved), "a; b");
+  EXPECT_EQ(resolved->trace.size(), 2U);
+  EXPECT_EQ(last_words(thrown_with("; b", NotConverged("a"))), "a; b");
+  EXPECT_EQ(last_words(thrown_with("; b", std::runtime_error("a"))), "a; b");
+  EXPECT_EQ(last_words(thrown_with("; b", std::invalid_argument("a"))), "a; b");
+  EXPECT_EQ(last_words(thrown_with("; b", std::domain_error("a"))), "a");
+
+  const auto failure = [](const GivenScene& c) {
+    try {
+      solve_scene(c);
+    } catch (const std::runtime_error& told) {
+      return std::string(told.what());
+    }
+    return std::string();
+  };
+  PhysicalScene c = wheel_on_rail();
+  c.diffusivity = 14;
+  c.expansion_2 = c.expansion;
+  c.conductivity_2 = c.conductivity;
+  const Prescribed given{creep, 0.9};
+  for (const std::optional<double> radius : {std::optional<double>(), std::optional(0.46)}) {
+    const std::string told = failure({{0.6, 1, 0}, given, {}, c, radius, CreepUnit::ratio});
+    EXPECT_EQ(told.rfind("coupled: ", 0), 0U) << told;
+    EXPECT_NE(told.find("; note: creep_ratio = 0.9 is above 0.1 ("), std::string::npos) << told;
+    EXPECT_NE(told.find("; note: grueneisen = 1.62e+06 is above"), std::string::npos) << told;
+    EXPECT_EQ(told.find("hertz_pressure"), std::string::npos) << told;
+  }
+  const Prescribed scaled = dimensionless(c, given, CreepUnit::ratio);
+  const std::string told = failure({scene_of(c, 0.6), scaled, {}, {}, {}});
+  EXPECT_EQ(told.rfind("coupled: ", 0), 0U) << told;
+  EXPECT_EQ(told.find("note"), std::string::npos) << told;
+}
+
+// A load in N where N/m is meant makes a pressure below a five-thousandth of the shear modulus. It
+// alone is noted, unless the half-width is in mm, which has the same effect and its own note.
+TEST(Solution, NoteOnALoadThatIsNotOfAMetre) {
+  for (const double part : {0.1, 0.99, 1.01, 10.}) {
+    PhysicalScene c = wheel_on_rail();
+    c.load = part * (pi / 2) * c.half_width * c.shear_modulus / 5000;
+    const FoundInSi y = in_si_units(solve(scene_of(c, 0.6), {traction, 0.5}, closed_form), c);
+    ASSERT_EQ(y.notes.size(), part < 1 ? 1U : 0U) << part;
+    if (part > 1) continue;
+    EXPECT_EQ(y.notes[0].rfind("hertz_pressure = ", 0), 0U);
+    EXPECT_NE(y.notes[0].find(" is below 1.62e+07 ("), std::string::npos) << y.notes[0];
+  }
+  PhysicalScene in_mm = wheel_on_rail();
+  in_mm.half_width *= 1000;
+  EXPECT_LT(2 / pi * in_mm.load / in_mm.half_width, in_mm.shear_modulus / 5000);
+  const std::vector<std::string> notes = notes_on(in_mm, 0.6, 0, 0);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].rfind("half_width = ", 0), 0U) << notes[0];
 }
 
 // Without heat p* is its root times a constant, and the heat flux has ten Legendre coefficients in

@@ -107,6 +107,13 @@ struct TractionLimit {
   double traction, creep, traction_error, creep_error;
 };
 
+/// A prescribed traction is beyond the largest one, which has the signs of the scene.
+struct BeyondLimit : std::invalid_argument {
+  BeyondLimit(const std::string& message, const TractionLimit& largest)
+      : std::invalid_argument(message), limit(largest) {}
+  TractionLimit limit;
+};
+
 /// The heat that crosses into the half-space besides its uniform share K1 / (K1 + K2), and the
 /// amplitude C of that flux, C / sqrt(1 + s), at the leading edge.
 struct CrossingHeat {

@@ -113,6 +113,13 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
 std::vector<std::string> notes_on(const PhysicalScene& si, double friction, double creep_ratio,
                                   double rise);
 
+/// Notes as the end of a message: "; note: " before each.
+std::string in_a_message(const std::vector<std::string>& notes);
+
+/// Throw what is being handled again, with more behind its message, and of the same type if that is
+/// NotResolved, NotConverged, std::runtime_error, or std::invalid_argument.
+[[noreturn]] void throw_again_with(const std::string& more);
+
 /// An iteration did not converge.
 struct NotConverged : std::runtime_error {
   using std::runtime_error::runtime_error;
