@@ -37,10 +37,14 @@ Carter nearest_carter(const Scene& scene, const Prescribed& given) {
 /// The larger Péclet number.
 double faster(const Scene& scene) { return std::max(scene.peclet, peclet_2(scene)); }
 
-/// Whether they differ by more than a factor of thirty, without a bulk difference.
+/// The larger one over the smaller.
+double unevenness(const Scene& scene) {
+  return faster(scene) / std::min(scene.peclet, peclet_2(scene));
+}
+
+/// Whether that is more than thirty, without a bulk difference.
 bool is_uneven(const Scene& scene) {
-  const double slower = std::min(scene.peclet, peclet_2(scene));
-  return is_unlike(scene) && scene.bulk_difference == 0 && faster(scene) > 30 * slower;
+  return is_unlike(scene) && scene.bulk_difference == 0 && unevenness(scene) > 30;
 }
 
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
@@ -111,7 +115,7 @@ Results error_of_rules(const Scene& scene, int n) {
   Results errors = Results::Constant(error / 8 * std::clamp(speed, 0.02, 1.0));
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
-  if (is_uneven(scene)) errors += 2e-10;
+  if (is_uneven(scene)) errors += 2e-16 * unevenness(scene);
   return errors;
 }
 
