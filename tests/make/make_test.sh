@@ -57,10 +57,10 @@ BuildsInFolderWithSpace() {
   make all build/thermoroll-bench >>"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'compiling the benchmarks'
   build/thermoroll --version
-  cp -r "$project"/build/{data,figures,live.html,report.html,math.woff2} "$project"/build/{colours,drawing}-* build/
+  cp -r "$project"/build/{data,figures,live.html,report.html,math.woff2,colours} "$project"/build/{colours,drawing}-* build/
   mkdir -p build/live && cp "$project/build/live/solver.wasm" build/live/
   touch "$work/now" # one time for all, that none is older than what it is made of
-  find build/data build/figures build/live build/*.html build/math.woff2 -type f -exec touch -r "$work/now" {} +
+  find build/data build/figures build/live build/*.html build/math.woff2 build/colours -type f -exec touch -r "$work/now" {} +
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'writing build/paper.html'
   [ -s build/paper.html ] || fail "no text"
@@ -80,7 +80,7 @@ ProseEditRewritesTheReportOnly() { # in the copy
   printf '\nOne sentence more.\n' >>paper/25-conclusions.md
   touch "$work/before"
   make reproduce >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  expect_steps "$work/log" 'tangling the chapters' 'compiling the program' \
+  expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'colouring the code' \
     'compiling the benchmarks' 'writing build/report.html' 'writing build/paper.html'
   [ -z "$(find src build/release build/data build/figures -newer "$work/before" \
     \( -name '*.?pp' -o -name '*.o' -o -name '*.a' -o -name thermoroll -o -path 'build/data/*' \
