@@ -220,6 +220,12 @@ void values_on_hot_friction(nlohmann::ordered_json& v) {
   v["hot_carter_slips"] = fixed(1000 * 2 / pi * paper::friction * unit.slip / steel.speed, 2);
   const TractionLimit top = paper::largest_traction(paper::wheel(false, true));
   v["hot_paper_max"] = fixed(100 * top.traction / paper::friction, 1);
+  for (const bool two : {false, true}) {
+    Scene ertz = paper::wheel(two, false);
+    ertz.law = piecewise_linear_friction({400 / unit.temperature, 0.4});
+    const TractionLimit highest = paper::largest_traction(ertz);
+    v[two ? "hot_ertz_two" : "hot_ertz_one"] = fixed(100 * highest.traction / paper::friction, 1);
+  }
 }
 
 }  // namespace thermoroll
