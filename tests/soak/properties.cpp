@@ -714,6 +714,7 @@ void examine(std::uint64_t number, const Sample& x, Depth depth, Totals& totals)
     record.require("refusals are of the documented type and one line",
                    (typeid(error) == typeid(std::runtime_error) ||
                     typeid(error) == typeid(thermoroll::NotResolved) ||
+                    typeid(error) == typeid(thermoroll::BeyondLimit) ||
                     typeid(error) == typeid(std::invalid_argument)) &&
                        !what.empty() && what.find('\n') == std::string::npos);
   }
