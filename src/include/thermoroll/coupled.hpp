@@ -181,8 +181,9 @@ Carter carter_given(double friction, const Prescribed& given);
 /// relative for creep_constant, creep, heat_integral and max_temperature; that of
 /// max_temperature_at is the length of the slip zone times the root of it, or the length of the
 /// stick zone if the hottest point is there. A creep at which the whole contact slips has the
-/// border -1. Throws std::invalid_argument for data out of range, std::runtime_error if no solution
-/// is found, NotResolved if the tolerance is not met.
+/// border -1. Traction and creep are positive in the scene's direction, also if it
+/// brakes. Throws std::invalid_argument for data out of range, std::runtime_error if no solution is
+/// found, NotResolved if the tolerance is not met.
 CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
                               const Prescribed& given);
 
