@@ -390,7 +390,7 @@ void add_errors_of_crossing(const Scene& scene, const GridSolution& last, const 
   const auto bulk = bulk_exchange(scene, level.h.size());
   const double size = std::abs(scene.bulk_difference);
   const double of_bulk = bulk ? size * std::abs(bulk->heat) : 0;
-  const double least = part * std::max(std::abs(now.heat), of_bulk);
+  const double least = 4 * part * std::max(std::abs(now.heat), of_bulk);
   now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), least);
   now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), part * std::abs(now.edge));
   if (!bulk) return;
@@ -451,11 +451,22 @@ CoupledSolution with_last_stick(const Scene& scene, const Approach& approach, do
   const Approach finer{approach.formulation, std::max(1e-11, approach.tolerance / 10)};
   for (int k = 0;; ++k) {
     CoupledSolution x = solve_coupled(scene, finer, {stick_slip_border, left.length - 1});
-    const double missed = (given - x.value(creep)) / left.creep_by_length;
+    const double miss = given - x.value(creep), missed = miss / left.creep_by_length;
     left.error = std::abs(missed) + x.error(creep) / std::abs(left.creep_by_length);
-    if (left.error <= approach.tolerance || k == 3 || !(left.length + missed > 0)) return x;
+    const bool met = left.error <= approach.tolerance && std::abs(miss) <= x.error(creep);
+    if (met || k == 3 || !(left.length + missed > 0)) return x;
     left.length += missed;
   }
+}
+
+void give_creep(CoupledSolution& x, double given) {
+  const double miss = std::abs(given - x.value(creep));
+  const double part = miss / std::abs(x.value(heat_integral));
+  x.error(creep_constant) += miss;
+  for (const Quantity q : {heat_integral, max_temperature})
+    x.error(q) += part * std::abs(x.value(q));
+  x.value(creep) = given;
+  x.error(creep) = 0;
 }
 
 CoupledSolution solve_with_little_stick(const Scene& scene, const Approach& approach,
@@ -469,8 +480,7 @@ CoupledSolution solve_with_little_stick(const Scene& scene, const Approach& appr
     throw NotResolved("coupled: not resolved to " + shortest(approach.tolerance) + at_best(error),
                       x.trace);
   x.error(stick_slip_border) = x.error(slip_length) = error;
-  x.value(creep) = given;
-  x.error(creep) = 0;
+  give_creep(x, given);
   return x;
 }
 

@@ -244,9 +244,11 @@ std::vector<Pair> pairs(const Sample& x, const Solution& found, const Solution& 
   const FoundPeaks p = peaks(found), q = peaks(exact);
   for (double Peaks::*of : {&Peaks::pressure, &Peaks::traction, &Peaks::heat_flux})
     all.push_back({p.value.*of, (*p.error).*of, q.value.*of, (*q.error).*of});
-  if (a.crossing && b.crossing)
-    all.push_back(
-        {a.crossing->heat, a.crossing->heat_error, b.crossing->heat, b.crossing->heat_error});
+  if (a.crossing && b.crossing) {
+    const CrossingHeat &c = *a.crossing, &d = *b.crossing;
+    all.push_back({c.heat, c.heat_error, d.heat, d.heat_error});
+    all.push_back({c.edge, c.edge_error, d.edge, d.edge_error});
+  }
   if (a.limit && b.limit) {
     all.push_back(
         {a.limit->traction, a.limit->traction_error, b.limit->traction, b.limit->traction_error});

@@ -1280,6 +1280,22 @@ TEST(Coupled, TheLastOfTheStickZoneIsNotLost) {
   }
 }
 
+// All results are those of the given creep, also where a millionth sticks and rough lengths of the
+// zone are enough: C is the creep and f gamma0. That is one of the solver's own sums for each grid.
+TEST(Coupled, TheLastOfTheStickZoneHasTheGivenCreep) {
+  thermoroll::Scene scene{0.231597546258, 0.162371948891, 10.8033927537};
+  scene.roller = {5.69153089333, 3.65304742771};
+  scene.direction = thermoroll::Direction::braking;
+  scene.bulk_difference = -0.0580004694301;
+  scene.law = thermoroll::piecewise_linear_friction({2.74149558949, 1.14349871913, 0});
+  const double creep = 0.163456465751;
+  const CoupledSolution x =
+      solve_coupled(scene, {Formulation::corrected, 1e-6}, {Quantity::creep, creep});
+  EXPECT_GT(x.value(Quantity::stick_slip_border), -1);
+  EXPECT_NEAR(x.value(Quantity::creep_constant), creep + scene.friction * x.value(Quantity::gamma0),
+              x.error(Quantity::creep_constant));
+}
+
 // Next to full slip a coarse grid may find a border where there is none, and a correction may point
 // out of the contact: the creep is one part in a million above that of full slip, then about it.
 TEST(Coupled, BorderStaysInTheContact) {

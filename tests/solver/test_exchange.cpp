@@ -476,6 +476,16 @@ TEST(Exchange, CrossingHeatMayAgreeByChance) {
   EXPECT_LE(std::abs(found.crossing->heat - finer.crossing->heat), found.crossing->heat_error);
 }
 
+// The slip zone is a millionth long, and the crossing heat converges the least of all results.
+TEST(Exchange, CrossingHeatOfATinySlipZoneHasItsError) {
+  const Scene scene{
+      0.479604433382, 5.97419056076, 9.25459181564, {0.111730519682, 9.25459181564, 28.6869954205}};
+  const Prescribed given{Quantity::traction, 3.29315046941664e-7};
+  const CoupledSolution found = solve_coupled(scene, {Formulation::printed, 1e-6}, given);
+  const CoupledSolution finer = solve_coupled(scene, {Formulation::printed, 1e-10}, given);
+  EXPECT_LE(std::abs(found.crossing->heat - finer.crossing->heat), found.crossing->heat_error);
+}
+
 // The heats of friction and of the bulk difference nearly cancel here, and two grids share a border
 // that is corrected after them.
 TEST(Exchange, CrossingHeatIsNotCarriedToTheCorrectedBorder) {
