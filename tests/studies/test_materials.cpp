@@ -1,18 +1,24 @@
 // Solids: the heating of a contact is its size.
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "reference.hpp"
 #include "studies/materials.hpp"
+#include "thermoroll/coupled.hpp"
 #include "thermoroll/scene.hpp"
+#include "thermoroll/solution.hpp"
 
 namespace {
 
 using reference::epsilon;
+using std::numbers::pi;
 using thermoroll::Material;
 using thermoroll::PhysicalScene;
+using thermoroll::Quantity;
+using thermoroll::Scene;
 
 }  // namespace
 
@@ -59,4 +65,30 @@ TEST(Materials, EverySolidHeatsLessThanItsSize) {
     EXPECT_LT(thermoroll::grueneisen(m), 2.205) << m.name;
     EXPECT_LT(thermoroll::heating_of_size(m, 1), 1) << m.name;
   }
+}
+
+// f H |xi*| of a contact that slips everywhere, from its data and from Grüneisen's number, in some
+// thirty operations, and the effect of heat that the solver finds there, which has no stick zone to
+// keep it small. The number is the same at any size.
+TEST(Materials, TheCreepBoundsTheDistortionInFullSlip) {
+  const double friction = 0.6, creep = 0.1;
+  for (const Material& m : thermoroll::materials())
+    for (const double half_width : {1e-4, 1e-2}) {
+      const double mu = thermoroll::shear_modulus(m), nu = m.poisson, load = 1e-3 * mu * half_width;
+      const PhysicalScene c{
+          load, 1,           half_width,        mu,
+          nu,   m.expansion, 1e-2 * half_width, 1e-2 * half_width * m.density * m.heat_capacity};
+      const Scene scene = thermoroll::scene_of(c, friction);
+      const thermoroll::Prescribed given =
+          thermoroll::dimensionless(c, {Quantity::creep, creep}, thermoroll::CreepUnit::ratio);
+      const double expected =
+          friction * (1 - 2 * nu) / (2 * (1 - nu)) * thermoroll::grueneisen(m) * creep;
+      EXPECT_NEAR(friction * scene.heating * given.value / expected, 1, 20 * epsilon) << m.name;
+      EXPECT_LT(expected, 2 / pi * friction * creep) << m.name;
+      const auto x =
+          thermoroll::solve_coupled(scene, {thermoroll::Formulation::corrected, 1e-6}, given);
+      EXPECT_EQ(x.value(Quantity::stick_slip_border), -1) << m.name;
+      EXPECT_LT(std::abs(x.value(Quantity::load_ratio) - 1), expected) << m.name;
+      EXPECT_LT(std::abs(x.value(Quantity::gamma0)), expected) << m.name;
+    }
 }

@@ -10,15 +10,15 @@
 
 namespace {
 
+// The end of the heap moves for the first of two blocks of the same size, and stays when that is
+// freed. Both are larger than what the C library would map apart. Under the sanitizers, and with
+// another C library, memory is not theirs to keep, and there is no such test.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 char written(std::size_t size) {
   const std::vector<char> all(size, 1);
   return all[size / 2];
 }
 
-// The end of the heap moves for the first of two blocks of the same size, and stays when that is
-// freed. Both are larger than what the C library would map apart. Under the sanitizers, and with
-// another C library, memory is not theirs to keep, and there is no such test.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(FreedMemory, IsKept) {
   thermoroll::keep_freed_memory();
   const std::size_t size = std::size_t{1} << 24;
