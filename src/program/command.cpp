@@ -169,6 +169,25 @@ void say_reference(const SceneOptions& o) {
                  "--friction-reference-temperature)\n");
 }
 
+void say_direction(const Solution& x) {
+  const double sign = sign_of(x.scene.direction);
+  if (sign * x.value(Quantity::traction) >= 0 && sign * x.value(Quantity::creep) >= 0) return;
+  std::fprintf(stderr,
+               "thermoroll: note: %s is relative to the state without slip (see no_slip_traction "
+               "and no_slip_creep)\n",
+               name_of(direction_names, x.scene.direction).c_str());
+}
+
+void say_idle_law(const Solution& x) {
+  const auto* law = x.scene.law.target<LawOfFriction>();
+  const double hottest = x.value(Quantity::max_temperature);
+  if (law == nullptr || std::abs(law->of.scale) < std::max(10.0, 1e4 * hottest)) return;
+  std::fprintf(stderr,
+               "thermoroll: note: the law changes friction by less than 1e-4: max_temperature is "
+               "%.3g and --friction-temperature in the same units %.3g\n",
+               hottest, law->of.scale);
+}
+
 void print_notes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
@@ -179,6 +198,8 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   if (physical) print_notes(physical->notes);
   say_what_is_unused(o);
   say_reference(o);
+  if (x.scene.bulk_difference != 0) say_direction(x);
+  if (!physical) say_idle_law(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
   if (x.approach.method == Method::gauss_chebyshev && apart > 1)

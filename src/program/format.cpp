@@ -34,7 +34,7 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"max_pressure", "max p", "Pa", &PhysicalResults::max_pressure},
     {"max_traction", "max q", "Pa", &PhysicalResults::max_traction},
     {"max_heat_flux", "max phi", "W/m^2", &PhysicalResults::max_heat_flux},
-    {"max_temperature_celsius", "Tmax", "degree C above bulk",
+    {"max_temperature_celsius", "Tmax", "degree C above the half-space's bulk",
      &PhysicalResults::max_temperature_celsius},
     {"half_width_over_radius", "a/R", "", &PhysicalResults::half_width_over_radius},
     {"dissipation", "", "W/m", &PhysicalResults::dissipation},

@@ -29,7 +29,8 @@ constexpr SceneOption group_options[] = {
 constexpr SceneOption si_options[] = {
     {"--load", "N/m", "load per unit length P: a wheel's load over the width of its contact",
      &SceneOptions::load},
-    {"--speed", "m/s", "rolling speed V", &SceneOptions::speed},
+    {"--speed", "m/s", "rolling speed V: if they differ much, the mean of both surfaces' speeds",
+     &SceneOptions::speed},
     {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &SceneOptions::shear_modulus},
     {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &SceneOptions::poisson},
     {"--expansion", "1/K", "thermal expansion alpha", &SceneOptions::expansion},
@@ -38,7 +39,9 @@ constexpr SceneOption si_options[] = {
 
 constexpr SceneOption size_options[] = {
     {"--half-width", "m", "half-width a of the contact", &SceneOptions::half_width},
-    {"--radius", "m", "radius R of the cylinder: half-width follows, with kappa, for this load",
+    {"--radius", "m",
+     "radius R of the cylinder, or R1 R2 / (R1 + R2) of two: half-width follows, with kappa, for "
+     "this load",
      &SceneOptions::radius}};
 
 constexpr SceneOption roller_group_options[] = {
@@ -342,6 +345,17 @@ std::string name_or(const CLI::Option* option, const std::string& other) {
   return option == nullptr ? other : option->get_name();
 }
 
+std::string instead_of(const std::string& name) {
+  static const std::map<std::string, const char*> places{
+      {"--radius", "a curve keeps the half-width: that of solve --radius"},
+      {"--radius-2", "for two rollers --radius is R1 R2 / (R1 + R2)"},
+      {"--hertz-pressure", "--load is pi / 2 times it and the half-width"},
+      {"--shear-modulus-2", "both bodies have the same elastic constants"},
+      {"--poisson-2", "both bodies have the same elastic constants"}};
+  const auto found = places.find(name);
+  return found == places.end() ? "" : found->second;
+}
+
 std::string meant(const std::string& word, const CLI::App& app) {
   std::vector<std::string> names;
   if (word.find("--") == 0)
@@ -350,6 +364,7 @@ std::string meant(const std::string& word, const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string own = word.substr(0, word.find('=')), name = nearest(own, names);
   if (!own.empty() && name == own) return " (options stand after the command and before any --)";
+  if (const std::string place = instead_of(own); !place.empty()) return " (" + place + ")";
   return name.empty() ? " (see --help)" : " (did you mean " + name + "?)";
 }
 

@@ -556,7 +556,8 @@ Carter carter_given(double friction, const Prescribed& given) {
   if (given.quantity == traction) return carter(friction, given.value);
   const bool by_border = given.quantity == stick_slip_border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
-  require(half < 1, "creep", given.value, "below 2 f / pi, where the whole contact slips");
+  require(half < 1, "creep", given.value,
+          "below 2 f / pi: the closed form ends where the whole contact slips");
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
 }

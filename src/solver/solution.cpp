@@ -392,7 +392,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
        units},
-      {"creep_ratio", x.creep_ratio, 0.1, "strains are not small there",
+      {"creep_ratio", x.creep_ratio, 0.1, "both surfaces have one speed in the model",
        "are all data in SI units and creeps no percentages?"},
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
        units},
@@ -409,10 +409,10 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                     (value > 0 ? " is above " : " is below -") + rounded(most, 4) + " (" + meaning +
                     "): " + question);
   }
-  if (is_of_a_wheel(x, si.shear_modulus / 5000))
+  if (is_of_a_wheel(x, si.shear_modulus / 500))
     notes.push_back("hertz_pressure = " + rounded(x.hertz_pressure, 3) + " is below " +
-                    rounded(si.shear_modulus / 5000, 4) +
-                    " (a five-thousandth of the shear modulus): is the load that of a metre of "
+                    rounded(si.shear_modulus / 500, 4) +
+                    " (a five-hundredth of the shear modulus): is the load that of a metre of "
                     "the contact's width?");
   return notes;
 }

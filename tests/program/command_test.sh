@@ -235,8 +235,19 @@ NotesOnStandardError() {
   notes 1 temperature "${paper_scene[@]}" --nodes 200 --method closed-form --at 0
   notes 1 solve --friction 0.6 --traction 0.5 --peclet 60 "${published[@]}" --tolerance 1e-6
   grep -qF -- "--tolerance makes no difference to --method gauss-chebyshev" err || fail "$(cat err)"
+  # A temperature in K beside dimensionless data.
+  local scene=(solve --friction 0.3 --creep 0.1 --peclet 1000 --heating 0.01 --friction-law linear)
+  notes 1 "${scene[@]}" --friction-temperature 1600
+  grep -q 'the law changes friction by less than 1e-4: max_temperature is 0.00[0-9]* and --friction-temperature .* 1.6e+03$' err || fail "$(cat err)"
+  notes 0 "${scene[@]}" --friction-temperature 9
+  # Traction and creep beside the state without slip, on either side of it.
+  scene=(solve --friction 0.6 --peclet 10 --heating 0.01 --roller identical --bulk-difference 0.001 --tolerance 1e-3)
+  notes 0 "${scene[@]}" --traction 0.1
+  notes 0 "${scene[@]}" --traction -0.1
+  notes 1 "${scene[@]}" --traction 1e-6
+  grep -q "note: braking is relative to the state without slip (see no_slip_traction and no_slip_creep)" err || fail "$(cat err)"
   # Friction with two bulk temperatures and no reference refers to one of both.
-  local scene=(--friction 0.6 --peclet 10 --heating 0.01 --roller identical --tolerance 1e-2 --friction-law linear
+  scene=(--friction 0.6 --peclet 10 --heating 0.01 --roller identical --tolerance 1e-2 --friction-law linear
     --friction-temperature 0.3)
   local about="--friction holds at the half-space's bulk temperature"
   for command in "solve --creep 0.1" "law --format json" "creep-curve --points 3"; do
@@ -879,7 +890,7 @@ TextTellsWhatIsLeftOut() {
   answers solve "${steel[@]}" --half-width 5.5e-3
   grep -q '^max_pressure  *max p  *1.387[0-9]*e+09  *[0-9.e+-]*  *Pa$' out || fail "$(cat out)"
   grep -q '^hertz_pressure  *p0  *1.38899e+09  *Pa$' out || fail "an error of what is exact: $(cat out)"
-  grep -q '^max_temperature_celsius .* degree C above bulk$' out || fail "$(cat out)"
+  grep -q '^max_temperature_celsius .* degree C above the half-space.s bulk$' out || fail "$(cat out)"
 }
 
 # --- Data in SI units -----------------------------------------------------------------------------
@@ -941,7 +952,7 @@ NotesOnDataBeyondTheModel() {
   grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 5 .*: are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
   # The load of a wheel in N.
   run solve "${wheel[@]/1.2e7/1.08e5}" --creep-ratio 0.005
-  [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+07 (a five-thousandth of the shear modulus): is the load that of a metre of the contact's width?"
+  [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+08 (a five-hundredth of the shear modulus): is the load that of a metre of the contact's width?"
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   [ "$(value notes)" = "[]" ] || fail "a note on the paper's scene: $(cat out)"
   answers solve "${paper_scene[@]}" --format json
@@ -1374,6 +1385,11 @@ NearestNames() {
   refuses 2 "unexpected --fricton=0.6 (did you mean --friction?)" solve --fricton=0.6
   refuses 2 "unexpected --tolerence (did you mean --tolerance?)" solve "${paper_scene[@]}" --tolerence 1e-3
   refuses 2 "unexpected --confg (did you mean --config?)" solve --confg wheel.toml
+  refuses 2 "unexpected --radius-2 (for two rollers --radius is R1 R2 / (R1 + R2))" solve --radius-2 0.3
+  refuses 2 "unexpected --hertz-pressure (--load is pi / 2 times it and the half-width)" solve --hertz-pressure 1e9
+  refuses 2 "unexpected --poisson-2 (both bodies have the same elastic constants)" solve --poisson-2 0.2
+  refuses 2 "unexpected --shear-modulus-2 (both bodies have the same elastic constants)" solve --shear-modulus-2 1e9
+  refuses 2 "unexpected --radius (a curve keeps the half-width: that of solve --radius)" creep-curve --radius 0.46
   refuses 2 "unexpected --creep (options stand after the command and before any --)" --creep 0.1 solve "${paper_scene[@]}"
   refuses 2 "unexpected \"\" (see --help)" solve ""
   refuses 2 "unexpected =5 (see --help)" solve "${paper_scene[@]}" =5
