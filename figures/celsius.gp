@@ -8,7 +8,7 @@ eval range(0, 88, 0, 600)
 set multiplot
 set tmargin at screen 0.933
 set bmargin at screen 0.425
-set label 100 '°C' at graph 0, graph 1.075 right offset 0.8,0
+set label 100 'largest rise, °C' at graph 0, graph 1.075 left offset -4,0
 set xtics 25
 set ytics 100
 of(kind) = strcol("kind") eq kind ? column("celsius") : NaN

@@ -6,7 +6,7 @@ eval range(-1, 1, 0, 0.5)
 eval axes('s', 'q*')
 set xtics 0.5
 set ytics 0.1
-set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 width 1
+set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 reverse Left width 1
 of(state, value) = strcol("state") eq state ? value : NaN
 curve(state, i) = sprintf("data using 's':(of('%s', column('limit'))) with lines linetype %d " \
   ."dashtype (4,3) linewidth 0.8 notitle, data using 's':(of('%s', column('q'))) with lines " \

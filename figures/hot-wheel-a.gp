@@ -7,7 +7,7 @@ eval range(-1, 1, -4, 6)
 eval axes('s', 'g*/C')
 set xtics 0.5
 set ytics 2
-set key at screen 0.98, screen 0.99 right top samplen 2 maxrows 1 width -4
+set key at screen 0.98, screen 0.99 right top samplen 1.5 maxrows 1 reverse Left width -2.5
 eval "plot data using 's':'closed_rail' with lines linetype 6 title 'closed form', " \
   ."data using 's':'closed_wheel' with lines linetype 6 notitle, " \
   ."data using 's':'rail' with lines linetype 1 title 'rail', " \

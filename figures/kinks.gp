@@ -11,7 +11,7 @@ set rmargin at screen 0.95
 set logscale xy
 set xtics (16, 32, 64, 128, 256) offset 0,0.2
 set ytics ('0.01' 1e-2, '10^{−4}' 1e-4, '10^{−6}' 1e-6, '10^{−8}' 1e-8, '10^{−10}' 1e-10)
-set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 width 1
+set key at screen 0.97, screen 0.99 right top samplen 2 maxrows 1 reverse Left width 1
 nodes(which, i, text) = sprintf("data using 'unknowns':'%s' with lines linetype %d dashtype solid title '%s', " \
   ."data using 'unknowns':'%s_estimate' with lines linetype %d dashtype (8,4) notitle", which, i, text, which, i)
 eval "plot ".nodes('plain', 3, 'plain').", ".nodes('moved', 1, 'moved')

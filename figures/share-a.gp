@@ -7,7 +7,7 @@ eval range(-0.2, 1, 0, 1)
 eval axes('s', 'g_1*/g*')
 set xtics 0.2
 set ytics 0.2
-set key at screen 0.98, screen 0.99 right top samplen 2 maxrows 1 width -1.7
+set key at screen 0.98, screen 0.99 right top samplen 2 maxrows 1 reverse Left width -1.4
 set label 'effusivities' at 0.62, 0.585
 set label 'conductivities' at -0.17, 0.285
 level(y) = sprintf("set arrow from -0.2, %.10g to 1, %.10g nohead back linetype 6", y, y)

@@ -7,7 +7,7 @@ eval range(-1, 0.25, 0, 0.5)
 eval axes('s', 'g_1*')
 set xtics 0.2
 set ytics 0.1
-set key at screen 0.98, screen 0.99 right top samplen 2 maxrows 1 width -1.7
+set key at screen 0.98, screen 0.99 right top samplen 2 maxrows 1 reverse Left width -1.4
 # Far ahead there is no flux; its rounding is below 1e-6, of either sign.
 no_noise(flux) = abs(flux) < 1e-6 ? 0 : flux
 curve(speed, i, text) = \

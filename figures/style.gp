@@ -107,8 +107,8 @@ change_axes(what) = "set xlabel '{/:Italic s}' offset 0,0.9; " \
   ."at graph 0, graph 1.13 left offset 0.5,0"
 change(method) = row("method", method, parameter, 0.5, column("change"))
 change_key(x, y) = line_entry(x, y, 'linetype 3 dashtype solid', 'corrected sign') \
-  .line_entry(x, y - 0.15, 'linetype 3', 'sign as printed') \
-  .point_entry(x, y - 0.3, 'published scheme')
+  .line_entry(x, y - 0.135, 'linetype 3', 'sign as printed') \
+  .point_entry(x, y - 0.27, 'published scheme')
 draw_changes = 'plot data using "s":(change("corrected")) with lines linetype 3 dashtype solid ' \
   .'title "corrected", data using "s":(change("printed")) with lines linetype 3 title "printed", ' \
   .'data using "s":(thinned(column("s"), change("scheme"))) with points linetype 5 title "scheme"'

@@ -8,7 +8,7 @@ set multiplot
 eval upper_panel
 eval range(-1, 1, 0, 0.4)
 eval axes('', 'q*')
-eval heat_key(0.52, 0.17)
+eval heat_key(0.54, 0.185)
 set xtics 0.5
 set ytics 0.1
 set label '{/:Italic Q*} = 0.59' at -0.62, 0.335 right
