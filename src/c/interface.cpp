@@ -8,6 +8,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <iterator>
+#include <map>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -373,14 +374,14 @@ thermoroll_result along_contact(const thermoroll_scene& scene, thermoroll_point*
 
 std::vector<CurvePoint> temperatures_of(const Solution& x, const thermoroll_point* points,
                                         std::size_t count) {
-  std::vector<CurvePoint> all;
-  std::vector<double> at;
-  for (std::size_t k = 0; k < count; ++k) {
-    at.push_back(points[k].s);
-    if (k + 1 < count && points[k + 1].depth == points[k].depth) continue;
-    const Curve curve = temperature_curve(x, at, points[k].depth);
-    all.insert(all.end(), curve.points.begin(), curve.points.end());
-    at.clear();
+  std::map<double, std::vector<std::size_t>> of_depth;
+  for (std::size_t k = 0; k < count; ++k) of_depth[points[k].depth].push_back(k);
+  std::vector<CurvePoint> all(count);
+  for (const auto& [depth, places] : of_depth) {
+    std::vector<double> at;
+    for (const std::size_t k : places) at.push_back(points[k].s);
+    const Curve curve = temperature_curve(x, at, depth);
+    for (std::size_t i = 0; i < places.size(); ++i) all[places[i]] = curve.points[i];
   }
   return all;
 }

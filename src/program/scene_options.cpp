@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <stdexcept>
 
@@ -508,9 +507,10 @@ std::string hyphenated(std::string name) {
 }
 
 std::optional<double> to_number(const std::string& text) {
-  char* end = nullptr;
-  const double x = std::strtod(text.c_str(), &end);
-  if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(x)) return std::nullopt;
+  const char *begin = text.data() + (text.rfind('+', 0) == 0), *end = text.data() + text.size();
+  double x = 0;
+  const auto [behind, failed] = std::from_chars(begin, end, x);
+  if (failed != std::errc() || behind != end || !std::isfinite(x)) return std::nullopt;
   return x;
 }
 

@@ -178,8 +178,8 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
     const bool layers = strain_of_zone(scene, level.at) >= strain_of_layers;
-    const double left = layers ? missing : missing / 4;
-    if (rate > 0) next = std::clamp(n + std::log(left) / rate + 4, 1.3 * n, next);
+    const double left = std::log(layers ? missing : missing / 4);
+    if (rate > 0 && std::isfinite(left)) next = std::clamp(n + left / rate + 4, 1.3 * n, next);
   }
   const int group = static_cast<int>(std::bit_floor(static_cast<unsigned>(next))) / 8;
   const int least = static_cast<int>(std::ceil(next));

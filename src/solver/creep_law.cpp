@@ -415,7 +415,7 @@ LawSide side_of(const CreepLaw& law, double creep) {
 std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
   const auto& [half, sign, size] = side_of(law, creep);
   const double unit = half.unit_creep;
-  if (!(size <= half.last_creep)) return std::nullopt;
+  if (!std::isfinite(creep) || !(size <= half.last_creep)) return std::nullopt;
   const double z = size <= unit ? std::sqrt(size / unit) : 2 - unit / size;
   std::size_t k = 0;
   while (k + 1 < half.pieces.size() && z > half.pieces[k].to) ++k;

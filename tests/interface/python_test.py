@@ -190,6 +190,8 @@ def RefusesWhatIsNoNumber():
         raises(TypeError, f"traction must be real numbers, not {kind}", thermoroll.solve, **steel, traction=x)
         raises(TypeError, f"creep must be real numbers, not {kind}", thermoroll.law(friction=0.6, peclet=1), x)
     raises(TypeError, "nodes must be whole numbers, not float64", thermoroll.solve, **steel, traction=0.1, nodes=20.0)
+    found = thermoroll.solve(**steel, traction=0.1, method="gauss-chebyshev", nodes=[2**32 + 200, -(2**40)])
+    assert all("from 3 to 5000" in message for message in found.messages), found.messages
     raises(ValueError, "roller must be one of", thermoroll.solve, **steel, traction=0.1, roller=1.0)
     found = thermoroll.solve(friction=np.float32(0.5), traction=np.int8(0), peclet=np.array([3], dtype=np.uint64), roller=np.array(["identical"], object))
     assert (found.status == 0).all() and found.traction == 0

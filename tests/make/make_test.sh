@@ -414,6 +414,10 @@ InstalledPackage() { # in the copy
     command=${command/"$words"/"$(pkg-config --cflags --libs thermoroll)"}
     (cd "$user" && eval "$command")
     "$user/example" | cmp "$user/printed" || fail "other answers by pkg-config"
+    if grep -qw avx2 /proc/cpuinfo; then # the program's matrices are aligned as the library's
+      (cd "$user" && eval "$command -mavx2")
+      "$user/example" | cmp "$user/printed" || fail "other answers with -mavx2"
+    fi
   fi
 
   sed -i.kept 's/find_package(thermoroll /&0.0 /' "$user/CMakeLists.txt"

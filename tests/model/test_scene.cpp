@@ -163,6 +163,23 @@ TEST(Scene, RefusesWhatMakesNoSense) {
   EXPECT_NO_THROW(thermoroll::check(rubber));
 }
 
+// Data of absurd size, each in its range: a unit overflows or vanishes, and the results would.
+TEST(Scene, UnitsThatOverflowAreRefused) {
+  PhysicalScene si = thermoroll::wheel_on_rail();
+  EXPECT_NO_THROW(thermoroll::check(si));
+  si.load = 1e160;
+  expect_refusal(si, "2 (1-nu) P^2 V / (mu a^2)", infinity, "positive");
+  si = thermoroll::wheel_on_rail();
+  si.conductivity = 1e-305;
+  expect_refusal(si, "2 (1-nu) P^2 V / (mu a K)", infinity, "positive");
+  si = thermoroll::wheel_on_rail();
+  si.load = 1e-323;
+  expect_refusal(si, "2 (1-nu) P V / (mu a)", 0, "positive");
+  si.load = 1e300;
+  si.half_width = 1e-20;
+  expect_refusal(si, "P/a", infinity, "positive");
+}
+
 // A value just outside its range is refused with enough digits to see why.
 TEST(Scene, RefusalShowsWhyTheValueIsOut) {
   const double traction = std::nextafter(0.6, 1);

@@ -1234,7 +1234,7 @@ BadSceneFiles() {
 
 BadNumbers() {
   local text
-  for text in nan -nan NaN inf -inf infinity 1e400 abc 0x 1e3abc 1,5 "" "1 2" $'1\n2' --; do
+  for text in nan -nan NaN inf -inf infinity 1e400 abc 0x 0x10 ++1 ' 1' 1e3abc 1,5 "" "1 2" $'1\n2' --; do
     refuses 2 "is not allowed: it must be a finite number" \
       solve --friction 0.6 --traction 0.5 --peclet "$text" --heating 0
     refuses 2 "is not allowed: it must be a finite number" \

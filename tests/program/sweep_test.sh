@@ -559,7 +559,7 @@ PartsJoinedAreTheWhole() {
 PartsOfFilesOnly() {
   write_scenes
   local bad
-  for bad in 0/2 3/2 1/0 1 1/ /2 a/b 1.5/2 1/2/3 -1/2 1/1000001 nan/2; do
+  for bad in 0/2 3/2 1/0 1 1/ /2 a/b 1.5/2 1/2/3 -1/2 1/1000001 nan/2 0x1/0x3 ' 1/3'; do
     refuses 2 "part = $bad is not allowed: it must be I/N" sweep scenes.csv --part "$bad"
   done
   refuses 2 "--part needs the table as a file" sweep --part 1/2 <scenes.csv

@@ -1296,6 +1296,13 @@ TEST(Coupled, TheLastOfTheStickZoneHasTheGivenCreep) {
               x.error(Quantity::creep_constant));
 }
 
+// An estimate that overflows tells nothing of the next grid, and the scene is refused.
+TEST(Coupled, AnEstimateThatOverflowsIsRefused) {
+  EXPECT_THROW(
+      solve_coupled({1e-200, 1, 0.05}, {Formulation::corrected, 1e-2}, {Quantity::creep, 1e110}),
+      std::runtime_error);
+}
+
 // Next to full slip a coarse grid may find a border where there is none, and a correction may point
 // out of the contact: the creep is one part in a million above that of full slip, then about it.
 TEST(Coupled, BorderStaysInTheContact) {

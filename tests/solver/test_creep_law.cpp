@@ -363,8 +363,9 @@ TEST(CreepLaw, HasNoValueBeyondItsEnd) {
     EXPECT_TRUE(evaluate(law, end).has_value());
     EXPECT_FALSE(evaluate(law, end * (1 + 1e-12)).has_value());
   }
-  EXPECT_FALSE(evaluate(law, infinity).has_value());
-  EXPECT_FALSE(evaluate(law, std::nan("")).has_value());
+  for (const CreepLaw& one : {law, law_of(steel(), 1e-4, infinity)})
+    for (const double creep : {infinity, -infinity, std::nan("")})
+      EXPECT_FALSE(evaluate(one, creep).has_value()) << creep;
 }
 
 // A range on one side is a part of the law of both: the same numbers, and none on the other side.

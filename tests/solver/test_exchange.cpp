@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <variant>
 #include <vector>
@@ -459,6 +460,18 @@ TEST(Exchange, ErrorsWithoutSlipCoverAFinerFlux) {
     EXPECT_LE(std::abs(rest.creep - better.creep), rest.creep_error);
     EXPECT_LE(std::abs(rest.traction - better.traction), rest.traction_error);
   }
+}
+
+// What is kept for the next scene has no law of friction, which may hold a caller's data.
+TEST(Exchange, NoLawIsKept) {
+  const auto data = std::make_shared<int>(0);
+  {
+    Scene scene{0.6, 10, 0.01, {2, 0.01, 5}};
+    scene.bulk_difference = 1e-3;
+    scene.law = [data](double) { return RelativeFriction{1, 0}; };
+    solve_coupled(scene, {Formulation::corrected, 1e-2}, {Quantity::stick_slip_border, 0});
+  }
+  EXPECT_EQ(data.use_count(), 1);
 }
 
 // In this random scene of strong heat the crossing heats of 120 and of 192 unknowns agree by

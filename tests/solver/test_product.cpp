@@ -1,6 +1,10 @@
-// Products of matrices, element by element in long double.
+// Products of matrices, element by element in long double; the rules that all threads share.
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
+#include "solver/gauss_legendre.hpp"
 #include "solver/product.hpp"
 
 #include "reference.hpp"
@@ -30,6 +34,17 @@ TEST(Product, IsItsSum) {
               EXPECT_NEAR(c(i, j), static_cast<double>(sum), terms * terms * reference::epsilon);
             }
         }
+}
+
+// All threads have the same rule, also where they make it at once.
+TEST(GaussLegendre, ThreadsShareTheRules) {
+  constexpr int n = 333;  // of no other test
+  std::vector<const thermoroll::GaussLegendre*> found(4);
+  std::vector<std::thread> threads;
+  for (auto& rule : found) threads.emplace_back([&] { rule = &thermoroll::gauss_legendre(n); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto* rule : found) EXPECT_EQ(rule, &thermoroll::gauss_legendre(n));
+  EXPECT_EQ(found.front()->x.size(), n);
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ def _numbers(name: str, value: ArrayLike) -> NDArray:
     if given.dtype.kind not in ("iu" if name == "nodes" else "iuf") and given.size > 0:
         kind = "whole" if name == "nodes" else "real"
         raise TypeError(f"{name} must be {kind} numbers, not {given.dtype.type.__name__}")
-    return given.astype(float)
+    return given.astype(float) if name != "nodes" else given.clip(-(2**31), 2**31 - 1)
 
 _si_needed = ("load", "speed", "shear_modulus", "poisson", "expansion", "diffusivity", "conductivity")
 _si_more = ("half_width", "radius", "expansion_2", "conductivity_2", "diffusivity_2")
