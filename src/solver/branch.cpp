@@ -357,8 +357,8 @@ bool follow(CreepCurve& curve, const Highest& coarse, Highest& top, Points& poin
 
 /// None if a range of creeps has the largest traction. Errors may be above the tolerance on the
 /// finest grid, that of the creep thrice so at high speed, and next to a corner of the curve. An
-/// unknown error is infinite.
-std::optional<TractionLimit> traction_limit(CreepCurve curve, double tolerance, Highest top,
+/// unknown error is infinite. The curve and its maximum become those of the last grid.
+std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance, Highest& top,
                                             GridSolution level) {
   Results last = results_at(top), change = Results::Zero();
   const Highest coarse = top;
@@ -409,23 +409,26 @@ std::size_t enclosing(const Points& points, Branch branch, double asked) {
   return 0;
 }
 
-/// A sample at about this traction, and the curve about it, in its middle.
+/// A solution at about this traction, and the derivative of all results by the traction there.
 struct Enclosed {
   GridSolution solution{};
-  LocalCurve local{};
+  Results slope = Results::Constant(std::nan(""));
 };
 
 Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
   Enclosed found;
+  double before = 0;
   for (int k = 0; k < 8; ++k) {
     const std::size_t i = enclosing(x.points, branch, asked);
     if (i == 0) break;
     const double low = x.points[i - 1].rho, high = x.points[i].rho;
     const LocalCurve local = local_curve(x.points, (low + high) / 2, high <= 1);
     const double rho = place_of(local, 0, asked, low, high);
-    if (k > 0 && std::abs(rho - found.local.middle) < 5e-3) break;
+    if (k > 0 && std::abs(rho - before) < 5e-3) break;
     if (!add(x, i, rho, x.points[rho - low < high - rho ? i - 1 : i].solution)) break;
-    found = {x.points[i].solution, local_curve(x.points, rho, high <= 1)};
+    const Results by_rho = derivative(local_curve(x.points, rho, high <= 1), 1, rho);
+    found = {x.points[i].solution, by_rho / by_rho(traction)};
+    before = rho;
   }
   return found;
 }
@@ -454,6 +457,39 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     if (!leaps && (far ? 0.4 : 0.02) * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
+}
+
+/// None unless the traction is within a ten-thousandth of the maximum, and that is no corner.
+Enclosed next_to_maximum(CreepCurve curve, const Highest& top, Branch branch, double asked,
+                         const GridSolution& near) {
+  constexpr double reach = 0.05;
+  const bool inside = std::abs(top.rho - 1) > reach && std::min(top.rho, 2 - top.rho) > reach;
+  if (!inside || asked < (1 - 1e-4) * results_at(top)(traction)) return {};
+  const double end = top.rho + (branch == Branch::rising ? -reach : reach);
+  const double rho = place_of(top.local, 0, asked, end, top.rho);
+  const Results by_rho = derivative(top.local, 1, rho);
+  curve.n = std::clamp(curve.n, 48, 2 * most_unknowns / 3);  // the next has half as many more
+  return {solution_on(curve, rho, near), by_rho / by_rho(traction)};
+}
+
+bool is_told_from(const TractionLimit& limit, const CoupledSolution& x, Branch branch,
+                  double tolerance) {
+  const double side = branch == Branch::rising ? -1 : 1, by = x.value(creep) - limit.creep;
+  const double of_limit = std::min(limit.creep_error, tolerance * std::abs(limit.creep));
+  return side * by > 10 * x.error(creep) + of_limit;
+}
+
+CoupledSolution solve_closer(const Scene& scene, const Approach& approach, double asked,
+                             Branch branch) {
+  const std::string near = "coupled: too near to the largest traction to be resolved to ";
+  const NotResolved too_near(near + shortest(approach.tolerance), {});
+  if (approach.tolerance < 1e-10) throw too_near;
+  const Approach closer{approach.formulation, std::max(1e-11, approach.tolerance / 100)};
+  try {
+    return solve_on_branch(scene, closer, asked, branch);
+  } catch (const NotResolved&) {
+    throw too_near;
+  }
 }
 
 bool is_unknown_far_above(const TractionLimit& limit, const OnCurve& highest, double asked) {
@@ -501,22 +537,27 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   while (!x.whole && x.curve.n < 48)
     x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
   if (x.points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
-  const std::optional<Highest> top = highest_of(x);
+  std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
-  if (top) limit = traction_limit(x.curve, approach.tolerance, *top, highest.solution);
+  CreepCurve fine = x.curve;
+  if (top) limit = traction_limit(fine, approach.tolerance, *top, highest.solution);
   if (limit && is_unknown_far_above(*limit, highest, asked)) limit.reset();
   if (limit) refuse_near(*limit, asked, approach.tolerance);
   refuse_beyond(x.points, limit, branch, asked, sign_of(scene.direction));
-  const auto [level, local] =
-      about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
+  Enclosed start;
+  if (limit) start = next_to_maximum(fine, *top, branch, asked, highest.solution);
+  const bool near = start.solution.newton_steps > 0;
+  if (!near)
+    start = about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
   const Prescribed given{traction, asked};
-  const Results by_rho = derivative(local, 1, local.middle);
-  Results slope = by_rho / by_rho(traction);
-  CoupledSolution found =
-      refine(scene, approach, given, level, slope, [&](int n, const GridSolution& last) {
-        return settle({scene, formulation, n}, given, last, slope, approach.tolerance / 10);
+  CoupledSolution found = refine(
+      scene, approach, given, start.solution, start.slope, [&](int n, const GridSolution& last) {
+        const double left = approach.tolerance / (near ? 1e4 : 10);
+        return settle({scene, formulation, n}, given, last, start.slope, left);
       });
+  if (limit && !is_told_from(*limit, found, branch, approach.tolerance))
+    return solve_closer(scene, approach, asked, branch);
   found.limit = limit;
   found.branch = branch;
   return found;

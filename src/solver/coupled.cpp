@@ -152,6 +152,8 @@ Results errors_near_leading_edge(const Scene& scene, const GridSolution& level,
   return error * share_at_leading_edge(scene, share, scale, given);
 }
 
+double error_of_one_temperature(int n) { return 12 * std::pow(24 + std::max(n, 20), -6); }
+
 /// Estimated errors, each relative to its scale, on a grid with the tail now and before, by the
 /// change since the previous grid and the share of each quantity in the effects of heat.
 Results estimate(const Results& change, const Results& share, double now, double before,
@@ -164,7 +166,7 @@ Results estimate(const Results& change, const Results& share, double now, double
   const double of_tail = unresolved(now, at.n, at.slow, at.n < 30 ? 20 : 10, in_layer);
   const double stalled = at.n >= 30 && now >= before ? now : 0;
   error = error.max(share * std::max({largest, of_tail, stalled}));
-  error(max_temperature) += 12 * std::pow(24 + std::max(at.n, 20), -6);
+  error(max_temperature) += error_of_one_temperature(at.n);
   return error + 2e-15 * at.n;
 }
 
@@ -376,6 +378,8 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
+  if (scene.law && given.quantity == traction)
+    left += error_of_one_temperature(n) * (given.value * slope / scale).abs();
   const double of_rounding = rounding(given, slope, scale);
   left += errors_near_leading_edge(scene, level, given, share, scale, corrected - of_rounding);
   left += error_of_bulk(scene, level, given, slope) / scale;

@@ -11,8 +11,9 @@ Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double fric
   const GaussLegendre places{x, 0 * x, (1 + x) / 2, {}, {}, {}};
   const Nodes z = place_nodes({by.slip, by.stick, by.variable}, places, places, by.layer);
   const Eigen::MatrixXd p = legendre(x, by.h.size()), q = legendre(x, by.bracket.size());
-  const Eigen::ArrayXd slip_right = by.slip * (1 - z.t);  // the distances from the edges
-  const Eigen::ArrayXd right = by.slip + z.d, left = (by.stick - z.d).max(0);
+  const Eigen::ArrayXd t = (x < 1).select(z.t.max(0).min(1), 1.0), d = z.d.max(0);
+  const Eigen::ArrayXd slip_right = by.slip * (1 - t);  // the distances from the edges
+  const Eigen::ArrayXd right = by.slip + d, left = (by.stick - d).max(0);
   Curves y;
   y.slip_at = z.s;
   y.stick_at = z.r;
@@ -27,9 +28,9 @@ Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double fric
   }
   y.slip_traction = friction * slip_bound;
   y.stick_bound = friction * bound;
-  y.stick_traction = y.stick_bound - (left * z.d).sqrt() * (q * by.bracket).array();
-  y.heat_flux = by.slip * (z.t * (1 - z.t)).sqrt() * (p * by.h).array();
-  const Eigen::ArrayXd left_root = by.slip * z.t / (by.stick + by.slip * z.t);
+  y.stick_traction = y.stick_bound - (left * d).sqrt() * (q * by.bracket).array();
+  y.heat_flux = by.slip * (t * (1 - t)).sqrt() * (p * by.h).array();
+  const Eigen::ArrayXd left_root = by.slip * t / (by.stick + by.slip * t);
   const Eigen::VectorXd& slips = by.bound.size() > 0 ? by.bound : by.pressure;
   y.slip = (p * by.h).array() / (p * slips).array();
   if (by.stick > 0) y.slip *= left_root.sqrt();

@@ -167,6 +167,17 @@ Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::ve
   return curve;
 }
 
+/// In temperatures on the surface, by the flux for a grid of n unknowns.
+double error_of_bulk_flux(const Scene& scene, int n, const Eigen::ArrayXd& s) {
+  const auto temperature_with = [&](int unknowns) -> Eigen::ArrayXd {
+    const auto bulk = bulk_exchange(scene, unknowns);
+    return temperature_of({{2, 0}, scene.bulk_difference * bulk->flux, {}}, scene.peclet, s);
+  };
+  const auto own = static_cast<int>(bulk_exchange(scene, n)->flux.size());
+  const int other = own <= most_unknowns / 2 ? 2 * own : own / 2;
+  return 2 * (temperature_with(other) - temperature_with(n)).abs().maxCoeff();
+}
+
 SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(std::get<Carter>(x.found));
@@ -174,8 +185,10 @@ SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   const Conduction conduction(x.scene, !exchanges(x.scene, flux.zones()));
   const SurfaceCurve found = surface_curve(flux, conduction, s, tolerance);
   SurfaceCurve all{share * found.temperature, share * found.error};
-  for (const ExchangedFlux& e : coupled ? crossing_flux(*coupled) : std::vector<ExchangedFlux>{})
+  if (!coupled) return all;
+  for (const ExchangedFlux& e : crossing_flux(*coupled))
     all.temperature += temperature_of(e, x.scene.peclet, s);
+  if (x.scene.bulk_difference != 0) all.error += error_of_bulk_flux(x.scene, coupled->unknowns, s);
   return all;
 }
 

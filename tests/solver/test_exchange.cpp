@@ -462,6 +462,29 @@ TEST(Exchange, ErrorsWithoutSlipCoverAFinerFlux) {
   }
 }
 
+// Without heating and with equal diffusivities both bodies touch at a constant between their bulk
+// temperatures, as the cylinder's share of the difference, and the heat of friction adds to it.
+// That heat is the same in both scenes, but for the creep without slip, which is 0 without heating.
+TEST(Exchange, TemperaturesAtTheTrailingEdgeHaveTheirError) {
+  for (const double ratio : {1.0, 3.0})
+    for (const double peclet : {1e3, 3e4, 1e5, 1e6})
+      for (const double tolerance : {1e-6, 1e-10}) {
+        const Scene plain{0.1, peclet, 0, {ratio, 0}};
+        Scene bulk = plain;
+        bulk.bulk_difference = 1e-6;
+        const std::vector<double> at{0.9, 0.99, 0.995, 0.999, 0.9999, 0.99995, 0.99999, 0.999999};
+        const auto curve = [&](const Scene& scene) {
+          const Solution x = solve(scene, {Quantity::creep, 0.005}, {.tolerance = tolerance});
+          return temperature_curve(x, at, 0).points;
+        };
+        const auto without = curve(plain), with = curve(bulk);
+        for (std::size_t i = 0; i < at.size(); ++i)
+          EXPECT_NEAR(with[i].temperature - without[i].temperature, ratio / (1 + ratio) * 1e-6,
+                      *with[i].error + *without[i].error)
+              << peclet << ' ' << tolerance << ' ' << at[i];
+      }
+}
+
 // What is kept for the next scene has no law of friction, which may hold a caller's data.
 TEST(Exchange, NoLawIsKept) {
   const auto data = std::make_shared<int>(0);

@@ -1029,6 +1029,38 @@ TEST(HotFriction, CoarseGridsMayAgreeByChance) {
   }
 }
 
+// A part of the largest traction below it, each branch has its own creep, on its side and with its
+// error; closer than the tolerance can tell, the scene is refused.
+TEST(HotFriction, BranchesAreToldApartNextToTheMaximum) {
+  Scene falling{0.08, 100, 0}, rational{0.3, 1000, 0.02, {1, 0.02}}, slow{0.6, 10, 0.1};
+  falling.law = thermoroll::exponential_friction({0.0005});
+  rational.law = thermoroll::rational_friction({0.002});
+  slow.law = thermoroll::exponential_friction({0.1});
+  for (const Scene& scene : {falling, rational, slow}) {
+    const auto at = [&](double tolerance, double pull, thermoroll::Branch branch) {
+      return solve_coupled(scene, {Formulation::corrected, tolerance},
+                           {Quantity::traction, pull, branch});
+    };
+    const auto limit = *at(1e-10, scene.friction / 20, thermoroll::Branch::rising).limit;
+    for (const double below : {1e-6, 1e-8})
+      for (const double side : {-1.0, 1.0}) {
+        const auto branch = side < 0 ? thermoroll::Branch::rising : thermoroll::Branch::falling;
+        const double pull = limit.traction * (1 - below);
+        const CoupledSolution fine = at(1e-8, pull, branch), x = at(1e-4, pull, branch);
+        EXPECT_GT(side * (fine.value(Quantity::creep) - limit.creep), 0) << below;
+        for (const Quantity q : {Quantity::creep, Quantity::stick_slip_border,
+                                 Quantity::max_temperature, Quantity::heat_integral})
+          EXPECT_NEAR(x.value(q), fine.value(q), x.error(q) + fine.error(q)) << below;
+        const CoupledSolution back = solve_coupled(scene, {Formulation::corrected, 1e-8},
+                                                   {Quantity::creep, fine.value(Quantity::creep)});
+        EXPECT_NEAR(back.value(Quantity::traction), pull,
+                    back.error(Quantity::traction) + below * fine.error(Quantity::creep));
+      }
+    EXPECT_THROW(at(1e-4, limit.traction * (1 - 1e-13), thermoroll::Branch::rising),
+                 std::exception);
+  }
+}
+
 // The same prototype: at Q* = 0.37 two solutions, one of them in full slip.
 TEST(HotFriction, TwoSolutionsAtOneTraction) {
   const Scene scene = hot(100, 0.0175, linear_friction({0.02}));

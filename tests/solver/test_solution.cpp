@@ -343,6 +343,22 @@ TEST(Solution, ProfileAtPointsIsThatOfTheNodes) {
   }
 }
 
+// Nodes at a kink of a law leave rounding in the distances from the edges, and roots of these.
+TEST(Solution, ProfilesEndAtZero) {
+  for (const double reference : {0.0005, 0.001, 0.002})
+    for (const double creep : {0.1, 0.3, 0.5}) {
+      Scene scene{0.3, 100, 0.01};
+      scene.law = linear_friction({0.02, 0, reference});
+      const Solution x = solve(scene, {Quantity::creep, creep});
+      for (const int points : {2, 101}) {
+        const Profile y = profile(x, points);
+        for (const auto curve : {&Profile::pressure, &Profile::traction, &Profile::heat_flux})
+          EXPECT_EQ((y.*curve)(points - 1), 0) << reference << ' ' << creep;
+        EXPECT_TRUE(y.slip.allFinite());
+      }
+    }
+}
+
 // Any number of points ascends from edge to edge. Twice as many intervals have every other point in
 // common, though the series are summed in blocks of a thousand.
 TEST(Solution, ProfileHasAnyNumberOfPoints) {
