@@ -45,19 +45,20 @@ std::FILE* create_beside(Written& x) {
 std::FILE* open_aside(Written& x) {
   std::error_code problem;
   const fs::file_status old = fs::status(x.file, problem);
-  const bool is_new = old.type() == fs::file_type::not_found;
-  if (!is_new && problem) cannot_write(x.file, problem.value());
-  if (!is_new && !fs::is_regular_file(old)) return std::fopen(x.file.c_str(), "w");
-  if (!is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
+  x.is_new = old.type() == fs::file_type::not_found;
+  if (!x.is_new && problem) cannot_write(x.file, problem.value());
+  if (!x.is_new && !fs::is_regular_file(old)) return std::fopen(x.file.c_str(), "w");
+  if (!x.is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
   x.target = fs::weakly_canonical(x.file, problem).string();
   if (problem) cannot_write(x.file, problem.value());
   std::FILE* file = create_beside(x);
-  if (file != nullptr && !is_new) fs::permissions(x.aside, old.permissions(), problem);
+  if (file != nullptr && !x.is_new) fs::permissions(x.aside, old.permissions(), problem);
   return file;
 }
 
-void put_in_place(const Written& x) {
+void put_in_place(Written& x) {
   if (std::rename(x.aside.c_str(), x.target.c_str()) != 0) cannot_write(x.file, errno);
+  x.aside = x.is_new ? x.target : "";
 }
 
 void write_at_once(std::FILE* file, const std::string& text, const std::string& name) {
@@ -143,7 +144,7 @@ void deliver(const std::vector<Answer>& answers) {
     }
     for (const Answer& answer : answers)
       if (is_output(answer.file)) to_output(answer.text);
-    for (const Written& x : written)
+    for (Written& x : written)
       if (!x.aside.empty()) put_in_place(x);
   } catch (...) {
     for (const Written& x : written) std::remove(x.aside.c_str());  // nothing, if it has none

@@ -15,13 +15,16 @@ struct Answer {
 };
 
 /// Write the answers, each as a whole, or none where one cannot be written (what has gone to
-/// standard output or a device stays there). Throws std::system_error.
+/// standard output, to a device or in the place of another file stays there). Throws
+/// std::system_error.
 void deliver(const std::vector<Answer>& answers);
 
-/// A file to be written: its name as given, that without links, and where it is written until it is
-/// whole. This is empty for a device, which is in its place.
+/// A file to be written: its name as given, that without links, and what is to be removed if
+/// something fails: where it is written until it is whole, then the file if it is new. Both are
+/// empty for a device, which is in its place.
 struct Written {
   std::string file, target, aside;
+  bool is_new = false;
 };
 
 /// A text that is written piece by piece: to standard output if the file is empty or "-", to a file

@@ -1492,6 +1492,25 @@ OutputKeepsPermissions() {
   [ "$(ls)" = "$(printf '%s\n' err guarded new private program)" ] || fail "left behind: $(ls)"
 }
 
+# In a folder whose files only their owner may replace, another's file may be written, but not replaced.
+NewFilesAreTakenBack() {
+  [ "$(id -u)" = 0 ] || { echo "skipped: only root can make a file of another"; exit 77; }
+  cp "$program" program
+  chmod 755 "$scratch" . program
+  mkdir -m 1777 sticky
+  touch sticky/b
+  chmod 666 sticky/b
+  local old
+  for old in new old; do
+    status=0
+    powerless ./program solve "${paper_scene[@]}" --output sticky/a --profile sticky/b 2>err || status=$?
+    [ $status -eq 1 ] || fail "status $status: $(cat err)"
+    one_line "cannot write sticky/b: Operation not permitted"
+    [ "$(ls sticky)" = "$([ $old = new ] || echo a; echo b)" ] || fail "an $old file: $(ls sticky)"
+    powerless touch sticky/a
+  done
+}
+
 UnwritableOutput() {
   refuses 1 "cannot write nowhere/file: No such file or directory" \
     solve "${paper_scene[@]}" --output nowhere/file
