@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -30,13 +31,17 @@ void write(std::FILE* file, const std::string& text, const std::string& name) {
   if (!whole || !closed) cannot_write(name, whole ? errno : reason);
 }
 
+std::timed_mutex naming;
+std::set<std::string> unfinished;  // their temporary names
+
 /// Create the file aside; null where that cannot be.
 std::FILE* create_beside(Written& x) {
+  const std::lock_guard<std::timed_mutex> whole(naming);
   for (int k = 0;; ++k) {
     const std::string name = "thermoroll-" + std::to_string(getpid()) + '-' + std::to_string(k);
     const std::string aside = (fs::path(x.target).parent_path() / name).string();
     std::FILE* file = std::fopen(aside.c_str(), "wx");
-    if (file != nullptr) x.aside = aside;
+    if (file != nullptr) unfinished.insert(x.aside = aside);
     if (file != nullptr || errno != EEXIST) return file;
   }
 }
@@ -57,8 +62,16 @@ std::FILE* open_aside(Written& x) {
 }
 
 void put_in_place(Written& x) {
+  const std::lock_guard<std::timed_mutex> whole(naming);
   if (std::rename(x.aside.c_str(), x.target.c_str()) != 0) cannot_write(x.file, errno);
+  unfinished.erase(x.aside);
   x.aside = x.is_new ? x.target : "";
+}
+
+void take_back(const Written& x) {
+  const std::lock_guard<std::timed_mutex> whole(naming);
+  std::remove(x.aside.c_str());  // nothing, if it has none
+  unfinished.erase(x.aside);
 }
 
 void write_at_once(std::FILE* file, const std::string& text, const std::string& name) {
@@ -84,15 +97,15 @@ std::FILE* open_to_append(const std::string& name) {
 
 namespace {
 std::timed_mutex writing;
-std::string unfinished;         // the file that grows under a temporary name
-std::atomic<long> counted{-1};  // its rows
+std::atomic<long> counted{-1};  // the rows of a sweep that are written
 }  // namespace
 
 long rows_written() { return counted; }
 
 bool stop_output(std::chrono::milliseconds longest) {
   const bool stopped = writing.try_lock_until(std::chrono::system_clock::now() + longest);
-  if (stopped) std::remove(unfinished.c_str());
+  if (naming.try_lock_until(std::chrono::system_clock::now() + longest))
+    for (const std::string& file : unfinished) std::remove(file.c_str());
   return stopped;
 }
 
@@ -102,7 +115,6 @@ Output::Output(const std::string& file, Kind kind) : written_{file, "", ""} {
   if (is_output(file)) return;
   file_ = kind == Kind::appended ? open_to_append(file) : open_aside(written_);
   if (file_ == nullptr) cannot_write(file, errno);
-  unfinished = written_.aside;
 }
 
 void Output::put(const std::string& text, long rows) {
@@ -123,14 +135,12 @@ void Output::finish() {
   if (std::fclose(file) != 0) cannot_write(written_.file, errno);
   if (!written_.aside.empty()) put_in_place(written_);
   written_.aside.clear();
-  unfinished.clear();
 }
 
 Output::~Output() {
   const std::lock_guard<std::timed_mutex> whole(writing);
   if (file_ != stdout) std::fclose(file_);
-  std::remove(written_.aside.c_str());  // nothing, if it has none
-  unfinished.clear();
+  take_back(written_);
 }
 
 void deliver(const std::vector<Answer>& answers) {
@@ -147,7 +157,7 @@ void deliver(const std::vector<Answer>& answers) {
     for (Written& x : written)
       if (!x.aside.empty()) put_in_place(x);
   } catch (...) {
-    for (const Written& x : written) std::remove(x.aside.c_str());  // nothing, if it has none
+    for (const Written& x : written) take_back(x);
     throw;
   }
 }

@@ -51,7 +51,7 @@ class Output {
 long rows_written();
 
 /// Wait until nothing is being written, but no longer than this; whether that is so. If it is,
-/// nothing will be written any more, and a file that has not been finished is removed.
+/// nothing will be written any more. Files that have not been finished are removed in any case.
 bool stop_output(std::chrono::milliseconds longest);
 
 }  // namespace thermoroll

@@ -1671,6 +1671,18 @@ END
   [ "$(ls)" = "$(printf '%s\n' err file out)" ] || fail "left behind: $(ls)"
 }
 
+# A signal while it waits for the reader of a pipe, with the other file prepared.
+InterruptedAtAPipe() {
+  mkfifo pipe
+  "$program" solve "${paper_scene[@]}" --output file --profile pipe 2>err &
+  until [ -n "$(find . -name 'thermoroll-*')" ]; do sleep 0.05; done
+  kill -TERM $!
+  status=0
+  wait $! || status=$?
+  [ $status -eq 143 ] || fail "status $status: $(cat err)"
+  [ "$(ls)" = "$(printf '%s\n' err pipe)" ] || fail "left behind: $(ls)"
+}
+
 FullDevice() {
   local arguments
   for arguments in --help --version "solve --help" "figure-data --list" "figure-data kernels" \
