@@ -221,8 +221,8 @@ bool may_be_replaced(const std::string& name) {
 bool same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   std::error_code none;
-  const fs::path place = fs::weakly_canonical(fs::absolute(a), none);
-  return a == b || (!place.empty() && place == fs::weakly_canonical(fs::absolute(b), none));
+  const fs::path place = place_of(fs::absolute(a), none);
+  return a == b || (!place.empty() && place == place_of(fs::absolute(b), none));
 }
 
 void check_names(const Options& o) {

@@ -6,11 +6,9 @@
 
 #include <atomic>
 #include <cerrno>
-#include <filesystem>
 #include <mutex>
 #include <set>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace thermoroll {
@@ -54,7 +52,7 @@ std::FILE* open_aside(Written& x) {
   if (!x.is_new && problem) cannot_write(x.file, problem.value());
   if (!x.is_new && !fs::is_regular_file(old)) return std::fopen(x.file.c_str(), "w");
   if (!x.is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
-  x.target = fs::weakly_canonical(x.file, problem).string();
+  x.target = place_of(x.file, problem).string();
   if (problem) cannot_write(x.file, problem.value());
   std::FILE* file = create_beside(x);
   if (file != nullptr && !x.is_new) fs::permissions(x.aside, old.permissions(), problem);
@@ -94,6 +92,15 @@ std::FILE* open_to_append(const std::string& name) {
 }
 
 }  // namespace
+
+std::filesystem::path place_of(std::filesystem::path file, std::error_code& problem) {
+  const auto is_missing = [&] {
+    return fs::status(file, problem).type() == fs::file_type::not_found;
+  };
+  while (is_missing() && fs::is_symlink(file, problem))
+    file = file.parent_path() / fs::read_symlink(file, problem);
+  return fs::weakly_canonical(file, problem);
+}
 
 namespace {
 std::timed_mutex writing;

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace thermoroll {
@@ -18,6 +20,9 @@ struct Answer {
 /// standard output, to a device or in the place of another file stays there). Throws
 /// std::system_error.
 void deliver(const std::vector<Answer>& answers);
+
+/// The file that a name leads to through all links, whether it is there or not.
+std::filesystem::path place_of(std::filesystem::path file, std::error_code& problem);
 
 /// A file to be written: its name as given, that without links, and what is to be removed if
 /// something fails: where it is written until it is whole, then the file if it is new. Both are

@@ -1492,6 +1492,24 @@ OutputKeepsPermissions() {
   [ "$(ls)" = "$(printf '%s\n' err guarded new private program)" ] || fail "left behind: $(ls)"
 }
 
+# Also one to a file that is not there yet, through another link, from another folder.
+LinksAreFollowed() {
+  mkdir folder
+  ln -s ../file folder/second
+  ln -s folder/second first
+  local there
+  for there in absent present; do
+    run solve "${paper_scene[@]}" --output first
+    [ $status -eq 0 ] && [ -L first ] && [ -L folder/second ] || fail "file $there: $(cat err) $(ls -l . folder)"
+    grep -q '^method' file || fail "file $there: $(cat file)"
+  done
+  rm file
+  refuses 2 "--profile and --output are the same file, first" solve "${paper_scene[@]}" --output first --profile file
+  ln -s nowhere/file lost
+  refuses 1 "cannot write lost: No such file or directory" solve "${paper_scene[@]}" --output lost
+  [ -L lost ] || fail "the link was replaced"
+}
+
 # In a folder whose files only their owner may replace, another's file may be written, but not replaced.
 NewFilesAreTakenBack() {
   [ "$(id -u)" = 0 ] || { echo "skipped: only root can make a file of another"; exit 77; }
