@@ -75,6 +75,7 @@ class Sweep {
  private:
   void begin();
   std::string package_text() const;
+  void open_package();
   void go_to(const Part& part);
   void continue_file();
   std::optional<std::string> take(long& row);
@@ -87,7 +88,7 @@ class Sweep {
   const SweepRequest& request_;
   Lines lines_;
   SweepTable table_;
-  std::optional<Output> output_;
+  std::optional<Output> output_, package_;
   std::mutex reading_, writing_;
   long taken_ = 0, last_ = std::numeric_limits<long>::max();
   std::array<std::optional<SweepRow>, 1000> window_;  // row k at k modulo its size
@@ -162,7 +163,8 @@ SweepCount Sweep::run() {
   for (std::thread& thread : threads) thread.join();
   if (failure_) std::rethrow_exception(failure_);
   output_->finish();
-  if (!request_.package.empty()) deliver({{package_text(), request_.package}});
+  if (package_) package_->put(package_text());
+  if (package_) package_->finish();
   return count_;
 }
 
@@ -170,7 +172,7 @@ void Sweep::begin() {
   const std::optional<std::string> header = lines_.next(stop_);
   if (!header) throw std::invalid_argument("the table is empty: it has no header");
   table_ = table_of(*header, request_.table);
-  if (!request_.package.empty()) package_text();  // which refuses a place that is not allowed
+  if (!request_.package.empty()) open_package();
   if (request_.part) go_to(*request_.part);
   if (!request_.resume.empty()) return continue_file();
   output_.emplace(request_.output, Output::Kind::whole);
@@ -180,6 +182,11 @@ void Sweep::begin() {
 std::string Sweep::package_text() const {
   const std::string& file = request_.resume.empty() ? request_.output : request_.resume;
   return data_package(table_, file, request_.package);
+}
+
+void Sweep::open_package() {
+  package_text();  // which refuses a place that is not allowed
+  package_.emplace(request_.package, Output::Kind::whole);
 }
 
 void Sweep::tell() {

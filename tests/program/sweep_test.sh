@@ -411,6 +411,26 @@ END
   [ ! -e all.csv ] && [ ! -e p.json ] || fail "left behind: $(ls)"
 }
 
+# Before a row is solved: with --resume, rows would be there.
+BadPackagesAreFoundAtOnce() {
+  write_scenes
+  mkdir folder closed closed/open
+  refuses 1 "cannot write folder: Is a directory" sweep scenes.csv --resume results.csv --datapackage folder
+  [ ! -e results.csv ] || fail "rows were solved: $(cat results.csv)"
+  cp "$program" program
+  chmod 755 "$scratch" . program
+  chmod 777 closed/open
+  chmod 555 closed
+  status=0
+  powerless ./program sweep scenes.csv --resume closed/open/results.csv --datapackage closed/p.json 2>err || status=$?
+  chmod 755 closed
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write closed/p.json: Permission denied"
+  [ ! -e closed/open/results.csv ] || fail "rows were solved: $(cat closed/open/results.csv)"
+  refuses 2 "it must be a file" sweep scenes.csv --resume folder --datapackage p.json
+  [ "$(ls)" = "$(printf '%s\n' chapter.csv closed err folder out program scenes.csv)" ] || fail "left behind: $(ls)"
+}
+
 # A file as the argument, `-`, or standard input: the same bytes.
 TableInAFile() {
   write_scenes
