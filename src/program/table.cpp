@@ -415,6 +415,7 @@ RowsSoFar rows_so_far(const SweepTable& t, std::istream& file, bool has_header) 
     x.failed += has_failed(t, line);
     x.last = line;
   }
+  x.rest = line;
   return x;
 }
 

@@ -488,6 +488,14 @@ ResumesWhereItWasStopped() {
     refuses 4 "10 of 40 rows have an error" sweep scenes.csv --format $format --resume results
     cmp results expected || fail "$format: not the same from nothing"
   done
+  for format in csv jsonl; do
+    "$program" sweep scenes.csv --part 40/40 --format $format >expected
+    for bytes in 0 10 "$(wc -c <expected)"; do
+      head -c "$bytes" expected >results
+      "$program" sweep scenes.csv --part 40/40 --format $format --resume results
+      cmp results expected || fail "$format: a part of a row is not the same after $bytes bytes"
+    done
+  done
   { echo friction,traction,peclet,heating,tolerance; yes 0.6,0.7,100,1, | head -50000; } >scenes.csv
   rm results
   interrupt TERM 600000 "$program" sweep scenes.csv --jobs 1 --resume results
@@ -503,6 +511,21 @@ ResumesWhereItWasStopped() {
 }
 
 # Another table, other options, too many rows, or no file at all are refused, and the file stays as it is.
+# Not what stands in a file without a line feed, unless it is a beginning of the results.
+ErasesNoOtherFile() {
+  write_scenes
+  head -1 scenes.csv >header.csv
+  printf 'precious data' >notes.txt
+  cp notes.txt kept
+  local arguments
+  for arguments in scenes.csv header.csv "scenes.csv --format jsonl" "header.csv --format jsonl" \
+    "scenes.csv --part 2/2" "header.csv --part 2/2"; do
+    # shellcheck disable=SC2086
+    refuses 2 "resume = notes.txt is not allowed: it does not begin as the results of this sweep do" sweep $arguments --resume notes.txt
+    cmp notes.txt kept || fail "$arguments changed the file: $(cat notes.txt)"
+  done
+}
+
 ResumesNothingElse() {
   write_scenes
   sweeps 4
