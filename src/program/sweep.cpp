@@ -202,6 +202,7 @@ void Sweep::tell() {
 /// Throws std::invalid_argument, whose text is what the file does wrong.
 RowsSoFar Sweep::rows_of_file() {
   std::ifstream file(request_.resume, std::ios::binary);
+  if (!file) throw std::invalid_argument("cannot be read");
   RowsSoFar done = rows_so_far(table_, file, has_header());
   std::optional<std::string> line;
   for (long row = 0; row < done.rows; ++row)

@@ -526,6 +526,22 @@ ErasesNoOtherFile() {
   done
 }
 
+# What may be written but not read is not empty.
+UnreadableFileIsNotResumed() {
+  write_scenes
+  echo precious >secret
+  cp "$program" program
+  chmod 755 "$scratch" . program
+  [ "$(id -u)" != 0 ] || chown 65534 secret
+  chmod 200 secret
+  status=0
+  powerless ./program sweep scenes.csv --resume secret 2>err || status=$?
+  [ $status -eq 2 ] || fail "status $status: $(cat err)"
+  one_line "resume = secret is not allowed: it cannot be read"
+  chmod 600 secret
+  [ "$(cat secret)" = precious ] || fail "the file was changed: $(cat secret)"
+}
+
 ResumesNothingElse() {
   write_scenes
   sweeps 4
