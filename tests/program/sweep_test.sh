@@ -543,6 +543,7 @@ UnreadableFileIsNotResumed() {
 }
 
 ResumesNothingElse() {
+  local text
   write_scenes
   sweeps 4
   head -3 results.csv >some.csv
@@ -553,6 +554,11 @@ ResumesNothingElse() {
   head -2 scenes.csv >few.csv
   refuses 2 "it has more rows than the table" sweep few.csv --resume some.csv
   cmp some.csv kept || fail "the file was changed"
+  for text in '{"status": "x"}' '{"status": {}}' '["status"]' 7 words; do
+    echo "$text" >some.json
+    refuses 2 "it ends with another row" sweep scenes.csv --format jsonl --resume some.json
+    [ "$(cat some.json)" = "$text" ] || fail "the file was changed: $(cat some.json)"
+  done
   refuses 2 "resume = . is not allowed: it must be a file" sweep scenes.csv --resume .
   echo before >before
   "$program" sweep scenes.csv --resume - >>before 2>err && fail "- is no file that ends"
