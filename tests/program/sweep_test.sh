@@ -409,6 +409,10 @@ END
   refuses 2 "it must stand above or beside the results" sweep scenes.csv --config wheel.toml --output all.csv --datapackage results/p.json
   refuses 2 "--datapackage describes the results of a whole table" sweep scenes.csv --config wheel.toml --datapackage p.json
   [ ! -e all.csv ] && [ ! -e p.json ] || fail "left behind: $(ls)"
+  printf 'caf\351,friction,traction,peclet\n1,0.6,0.5,100\n' >scenes.csv
+  run sweep scenes.csv --keep $'caf\351' --output $'caf\351.csv' --datapackage p.json
+  [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
+  grep -qF '"name": "caf�"' p.json && grep -qF '"path": "caf�.csv"' p.json || fail "$(cat p.json)"
 }
 
 # Before a row is solved: with --resume, rows would be there.
