@@ -445,7 +445,7 @@ TableInAFile() {
   "$program" sweep - <scenes.csv >results.csv 2>err || [ $? -eq 4 ] || fail "$(cat err)"
   cmp results.csv expected
   refuses 2 "cannot read the table absent.csv: No such file" sweep absent.csv
-  refuses 1 "cannot read the table: Is a directory" sweep .
+  refuses 2 "cannot read the table .: Is a directory" sweep .
 }
 
 # The file is complete when it appears. After a signal, a refusal or a full disk there is none, or the old one.
