@@ -221,8 +221,8 @@ bool may_be_replaced(const std::string& name) {
 bool same_file(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   std::error_code none;
-  const fs::path place = fs::weakly_canonical(fs::absolute(a), none);
-  return a == b || (!place.empty() && place == fs::weakly_canonical(fs::absolute(b), none));
+  const fs::path place = place_of(fs::absolute(a), none);
+  return a == b || (!place.empty() && place == place_of(fs::absolute(b), none));
 }
 
 void check_names(const Options& o) {
@@ -485,10 +485,12 @@ std::optional<Part> read_part(const std::string& text) {
 
 int open_table(const std::string& file) {
   if (!file.empty() && file != "-") {
-    const int input = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    std::error_code none;
+    const bool is_folder = std::filesystem::is_directory(file, none);
+    const int input = is_folder ? -1 : open(file.c_str(), O_RDONLY | O_CLOEXEC);
     if (input < 0)
       throw std::invalid_argument("cannot read the table " + file + ": " +
-                                  std::generic_category().message(errno));
+                                  std::generic_category().message(is_folder ? EISDIR : errno));
     return input;
   }
   if (isatty(STDIN_FILENO) != 0)

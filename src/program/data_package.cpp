@@ -68,7 +68,8 @@ std::string data_package(const SweepTable& t, const std::string& data, const std
                               {"encoding", "utf-8"},
                               {"schema", {{"fields", fields}, {"missingValues", {""}}}}};
   const auto resources = ordered_json::array({resource});
-  return ordered_json{{"name", "thermoroll-sweep"}, {"resources", resources}}.dump(2) + '\n';
+  const ordered_json all{{"name", "thermoroll-sweep"}, {"resources", resources}};
+  return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace thermoroll

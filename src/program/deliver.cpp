@@ -6,10 +6,9 @@
 
 #include <atomic>
 #include <cerrno>
-#include <filesystem>
 #include <mutex>
+#include <set>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace thermoroll {
@@ -30,13 +29,17 @@ void write(std::FILE* file, const std::string& text, const std::string& name) {
   if (!whole || !closed) cannot_write(name, whole ? errno : reason);
 }
 
+std::timed_mutex naming;
+std::set<std::string> unfinished;  // their temporary names
+
 /// Create the file aside; null where that cannot be.
 std::FILE* create_beside(Written& x) {
+  const std::lock_guard<std::timed_mutex> whole(naming);
   for (int k = 0;; ++k) {
     const std::string name = "thermoroll-" + std::to_string(getpid()) + '-' + std::to_string(k);
     const std::string aside = (fs::path(x.target).parent_path() / name).string();
     std::FILE* file = std::fopen(aside.c_str(), "wx");
-    if (file != nullptr) x.aside = aside;
+    if (file != nullptr) unfinished.insert(x.aside = aside);
     if (file != nullptr || errno != EEXIST) return file;
   }
 }
@@ -45,19 +48,28 @@ std::FILE* create_beside(Written& x) {
 std::FILE* open_aside(Written& x) {
   std::error_code problem;
   const fs::file_status old = fs::status(x.file, problem);
-  const bool is_new = old.type() == fs::file_type::not_found;
-  if (!is_new && problem) cannot_write(x.file, problem.value());
-  if (!is_new && !fs::is_regular_file(old)) return std::fopen(x.file.c_str(), "w");
-  if (!is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
-  x.target = fs::weakly_canonical(x.file, problem).string();
+  x.is_new = old.type() == fs::file_type::not_found;
+  if (!x.is_new && problem) cannot_write(x.file, problem.value());
+  if (!x.is_new && !fs::is_regular_file(old)) return std::fopen(x.file.c_str(), "w");
+  if (!x.is_new && access(x.file.c_str(), W_OK) != 0) cannot_write(x.file, errno);
+  x.target = place_of(x.file, problem).string();
   if (problem) cannot_write(x.file, problem.value());
   std::FILE* file = create_beside(x);
-  if (file != nullptr && !is_new) fs::permissions(x.aside, old.permissions(), problem);
+  if (file != nullptr && !x.is_new) fs::permissions(x.aside, old.permissions(), problem);
   return file;
 }
 
-void put_in_place(const Written& x) {
+void put_in_place(Written& x) {
+  const std::lock_guard<std::timed_mutex> whole(naming);
   if (std::rename(x.aside.c_str(), x.target.c_str()) != 0) cannot_write(x.file, errno);
+  unfinished.erase(x.aside);
+  x.aside = x.is_new ? x.target : "";
+}
+
+void take_back(const Written& x) {
+  const std::lock_guard<std::timed_mutex> whole(naming);
+  std::remove(x.aside.c_str());  // nothing, if it has none
+  unfinished.erase(x.aside);
 }
 
 void write_at_once(std::FILE* file, const std::string& text, const std::string& name) {
@@ -81,17 +93,26 @@ std::FILE* open_to_append(const std::string& name) {
 
 }  // namespace
 
+std::filesystem::path place_of(std::filesystem::path file, std::error_code& problem) {
+  const auto is_missing = [&] {
+    return fs::status(file, problem).type() == fs::file_type::not_found;
+  };
+  while (is_missing() && fs::is_symlink(file, problem))
+    file = file.parent_path() / fs::read_symlink(file, problem);
+  return fs::weakly_canonical(file, problem);
+}
+
 namespace {
 std::timed_mutex writing;
-std::string unfinished;         // the file that grows under a temporary name
-std::atomic<long> counted{-1};  // its rows
+std::atomic<long> counted{-1};  // the rows of a sweep that are written
 }  // namespace
 
 long rows_written() { return counted; }
 
 bool stop_output(std::chrono::milliseconds longest) {
   const bool stopped = writing.try_lock_until(std::chrono::system_clock::now() + longest);
-  if (stopped) std::remove(unfinished.c_str());
+  if (naming.try_lock_until(std::chrono::system_clock::now() + longest))
+    for (const std::string& file : unfinished) std::remove(file.c_str());
   return stopped;
 }
 
@@ -101,7 +122,6 @@ Output::Output(const std::string& file, Kind kind) : written_{file, "", ""} {
   if (is_output(file)) return;
   file_ = kind == Kind::appended ? open_to_append(file) : open_aside(written_);
   if (file_ == nullptr) cannot_write(file, errno);
-  unfinished = written_.aside;
 }
 
 void Output::put(const std::string& text, long rows) {
@@ -122,14 +142,12 @@ void Output::finish() {
   if (std::fclose(file) != 0) cannot_write(written_.file, errno);
   if (!written_.aside.empty()) put_in_place(written_);
   written_.aside.clear();
-  unfinished.clear();
 }
 
 Output::~Output() {
   const std::lock_guard<std::timed_mutex> whole(writing);
   if (file_ != stdout) std::fclose(file_);
-  std::remove(written_.aside.c_str());  // nothing, if it has none
-  unfinished.clear();
+  take_back(written_);
 }
 
 void deliver(const std::vector<Answer>& answers) {
@@ -143,10 +161,10 @@ void deliver(const std::vector<Answer>& answers) {
     }
     for (const Answer& answer : answers)
       if (is_output(answer.file)) to_output(answer.text);
-    for (const Written& x : written)
+    for (Written& x : written)
       if (!x.aside.empty()) put_in_place(x);
   } catch (...) {
-    for (const Written& x : written) std::remove(x.aside.c_str());  // nothing, if it has none
+    for (const Written& x : written) take_back(x);
     throw;
   }
 }

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace thermoroll {
@@ -15,13 +17,19 @@ struct Answer {
 };
 
 /// Write the answers, each as a whole, or none where one cannot be written (what has gone to
-/// standard output or a device stays there). Throws std::system_error.
+/// standard output, to a device or in the place of another file stays there). Throws
+/// std::system_error.
 void deliver(const std::vector<Answer>& answers);
 
-/// A file to be written: its name as given, that without links, and where it is written until it is
-/// whole. This is empty for a device, which is in its place.
+/// The file that a name leads to through all links, whether it is there or not.
+std::filesystem::path place_of(std::filesystem::path file, std::error_code& problem);
+
+/// A file to be written: its name as given, that without links, and what is to be removed if
+/// something fails: where it is written until it is whole, then the file if it is new. Both are
+/// empty for a device, which is in its place.
 struct Written {
   std::string file, target, aside;
+  bool is_new = false;
 };
 
 /// A text that is written piece by piece: to standard output if the file is empty or "-", to a file
@@ -48,7 +56,7 @@ class Output {
 long rows_written();
 
 /// Wait until nothing is being written, but no longer than this; whether that is so. If it is,
-/// nothing will be written any more, and a file that has not been finished is removed.
+/// nothing will be written any more. Files that have not been finished are removed in any case.
 bool stop_output(std::chrono::milliseconds longest);
 
 }  // namespace thermoroll

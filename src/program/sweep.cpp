@@ -73,10 +73,14 @@ class Sweep {
   SweepCount run();
 
  private:
+  bool has_header() const { return !request_.part || request_.part->number == 1; }
   void begin();
   std::string package_text() const;
+  void open_package();
   void go_to(const Part& part);
   void continue_file();
+  RowsSoFar rows_of_file();
+  std::optional<SweepRow> check_beginning(const std::string& text);
   std::optional<std::string> take(long& row);
   void put(long row, SweepRow done);
   void start_another(std::vector<std::thread>& threads);
@@ -87,7 +91,7 @@ class Sweep {
   const SweepRequest& request_;
   Lines lines_;
   SweepTable table_;
-  std::optional<Output> output_;
+  std::optional<Output> output_, package_;
   std::mutex reading_, writing_;
   long taken_ = 0, last_ = std::numeric_limits<long>::max();
   std::array<std::optional<SweepRow>, 1000> window_;  // row k at k modulo its size
@@ -162,7 +166,8 @@ SweepCount Sweep::run() {
   for (std::thread& thread : threads) thread.join();
   if (failure_) std::rethrow_exception(failure_);
   output_->finish();
-  if (!request_.package.empty()) deliver({{package_text(), request_.package}});
+  if (package_) package_->put(package_text());
+  if (package_) package_->finish();
   return count_;
 }
 
@@ -170,16 +175,21 @@ void Sweep::begin() {
   const std::optional<std::string> header = lines_.next(stop_);
   if (!header) throw std::invalid_argument("the table is empty: it has no header");
   table_ = table_of(*header, request_.table);
-  if (!request_.package.empty()) package_text();  // which refuses a place that is not allowed
+  if (!request_.package.empty()) open_package();
   if (request_.part) go_to(*request_.part);
   if (!request_.resume.empty()) return continue_file();
   output_.emplace(request_.output, Output::Kind::whole);
-  if (!request_.part || request_.part->number == 1) output_->put(header_of(table_));
+  if (has_header()) output_->put(header_of(table_));
 }
 
 std::string Sweep::package_text() const {
   const std::string& file = request_.resume.empty() ? request_.output : request_.resume;
   return data_package(table_, file, request_.package);
+}
+
+void Sweep::open_package() {
+  package_text();  // which refuses a place that is not allowed
+  package_.emplace(request_.package, Output::Kind::whole);
 }
 
 void Sweep::tell() {
@@ -189,29 +199,50 @@ void Sweep::tell() {
   std::fprintf(stderr, "thermoroll: %s    \r", summary(count_).c_str());
 }
 
-void Sweep::continue_file() {
-  const bool has_header = !request_.part || request_.part->number == 1;
-  const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument("resume = " + request_.resume + " is not allowed: it " + why);
-  };
-  output_.emplace(request_.resume, Output::Kind::appended);
+/// Throws std::invalid_argument, whose text is what the file does wrong.
+RowsSoFar Sweep::rows_of_file() {
   std::ifstream file(request_.resume, std::ios::binary);
-  RowsSoFar done;
-  try {
-    done = rows_so_far(table_, file, has_header);
-  } catch (const std::invalid_argument& error) {
-    refuse(error.what());
-  }
+  if (!file) throw std::invalid_argument("cannot be read");
+  RowsSoFar done = rows_so_far(table_, file, has_header());
   std::optional<std::string> line;
   for (long row = 0; row < done.rows; ++row)
-    if (taken_++ == last_ || !(line = lines_.next(stop_))) refuse("has more rows than the table");
+    if (taken_++ == last_ || !(line = lines_.next(stop_)))
+      throw std::invalid_argument("has more rows than the table");
   if (line && answer(table_, *line).text != done.last)
-    refuse("ends with another row than this sweep has there");
+    throw std::invalid_argument("ends with another row than this sweep has there");
+  return done;
+}
+
+/// The first row, if it was solved. Throws std::invalid_argument like rows_of_file().
+std::optional<SweepRow> Sweep::check_beginning(const std::string& text) {
+  std::string first = has_header() ? header_of(table_) : "";
+  std::optional<SweepRow> solved;
+  long row = 0;
+  if (first.empty())
+    if (const std::optional<std::string> line = take(row)) solved = answer(table_, *line);
+  if (solved) first = solved->text;
+  if (first.compare(0, text.size(), text) != 0)
+    throw std::invalid_argument("does not begin as the results of this sweep do");
+  return solved;
+}
+
+void Sweep::continue_file() {
+  output_.emplace(request_.resume, Output::Kind::appended);
+  RowsSoFar done;
+  std::optional<SweepRow> first;
+  try {
+    done = rows_of_file();
+    if (done.bytes == 0 && !done.rest.empty()) first = check_beginning(done.rest);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("resume = " + request_.resume + " is not allowed: it " +
+                                error.what());
+  }
   output_->cut(done.bytes);
-  if (has_header && done.bytes == 0) output_->put(header_of(table_));
+  if (has_header() && done.bytes == 0) output_->put(header_of(table_));
   output_->put("", done.rows);
   count_.rows = done.rows;
   count_.failed = done.failed;
+  if (first) put(0, std::move(*first));
 }
 
 void Sweep::go_to(const Part& part) {

@@ -243,6 +243,12 @@ std::vector<WrittenColumn> wanted_columns(const SweepTable& t) {
   return wanted;
 }
 
+void check_length(const std::string& line, const std::string& what) {
+  if (line.size() > longest_line)
+    throw std::invalid_argument(what + " has more than " + std::to_string(longest_line) +
+                                " characters");
+}
+
 std::vector<std::string> values_of(const SweepTable& t, std::vector<Field> found,
                                    const std::string& status, const std::string& error) {
   std::vector<std::string> values;
@@ -299,7 +305,8 @@ std::string row_text(const SweepTable& t, const std::vector<std::string>& cells,
 bool has_failed(const SweepTable& t, const std::string& row) {
   if (t.how.format == RowFormat::jsonl) {
     const auto o = nlohmann::json::parse(row, nullptr, false);
-    return o.is_object() && o.value("status", 0) != 0;
+    const auto status = o.find("status");
+    return status != o.end() && *status != 0;
   }
   std::vector<std::string> cells;
   read_cells(row.substr(0, row.size() - 1), cells);
@@ -366,6 +373,7 @@ SceneOptions read_row(const std::vector<Setting>& row) {
 
 SweepTable table_of(const std::string& header, const TableOptions& how) {
   check_labels(how);
+  check_length(header, "the header");
   SweepTable t{how, read_header(header, how)};
   t.given = given_column(t);
   check_complete(t);
@@ -385,9 +393,7 @@ SweepRow answer(const SweepTable& t, const std::string& line) {
   std::vector<std::string> cells;
   std::vector<Field> found;
   try {
-    if (line.size() > longest_line)
-      throw std::invalid_argument("the row has more than " + std::to_string(longest_line) +
-                                  " characters");
+    check_length(line, "the row");
     read_cells(line, cells);
     if (line.find('\0') != std::string::npos)
       throw std::invalid_argument("the row holds a null character");
@@ -415,6 +421,7 @@ RowsSoFar rows_so_far(const SweepTable& t, std::istream& file, bool has_header) 
     x.failed += has_failed(t, line);
     x.last = line;
   }
+  x.rest = line;
   return x;
 }
 

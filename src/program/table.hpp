@@ -62,7 +62,7 @@ struct SweepRow {
 struct RowsSoFar {
   long rows = 0, failed = 0;
   std::uintmax_t bytes = 0;
-  std::string last{};  ///< the last whole row
+  std::string last{}, rest{};  ///< the last whole row, and what is behind it
 };
 
 /// The names of all results that a row may have.

@@ -1492,6 +1492,43 @@ OutputKeepsPermissions() {
   [ "$(ls)" = "$(printf '%s\n' err guarded new private program)" ] || fail "left behind: $(ls)"
 }
 
+# Also one to a file that is not there yet, through another link, from another folder.
+LinksAreFollowed() {
+  mkdir folder
+  ln -s ../file folder/second
+  ln -s folder/second first
+  local there
+  for there in absent present; do
+    run solve "${paper_scene[@]}" --output first
+    [ $status -eq 0 ] && [ -L first ] && [ -L folder/second ] || fail "file $there: $(cat err) $(ls -l . folder)"
+    grep -q '^method' file || fail "file $there: $(cat file)"
+  done
+  rm file
+  refuses 2 "--profile and --output are the same file, first" solve "${paper_scene[@]}" --output first --profile file
+  ln -s nowhere/file lost
+  refuses 1 "cannot write lost: No such file or directory" solve "${paper_scene[@]}" --output lost
+  [ -L lost ] || fail "the link was replaced"
+}
+
+# In a folder whose files only their owner may replace, another's file may be written, but not replaced.
+NewFilesAreTakenBack() {
+  [ "$(id -u)" = 0 ] || { echo "skipped: only root can make a file of another"; exit 77; }
+  cp "$program" program
+  chmod 755 "$scratch" . program
+  mkdir -m 1777 sticky
+  touch sticky/b
+  chmod 666 sticky/b
+  local old
+  for old in new old; do
+    status=0
+    powerless ./program solve "${paper_scene[@]}" --output sticky/a --profile sticky/b 2>err || status=$?
+    [ $status -eq 1 ] || fail "status $status: $(cat err)"
+    one_line "cannot write sticky/b: Operation not permitted"
+    [ "$(ls sticky)" = "$([ $old = new ] || echo a; echo b)" ] || fail "an $old file: $(ls sticky)"
+    powerless touch sticky/a
+  done
+}
+
 UnwritableOutput() {
   refuses 1 "cannot write nowhere/file: No such file or directory" \
     solve "${paper_scene[@]}" --output nowhere/file
@@ -1650,6 +1687,18 @@ HUP 129 Hangup
 END
   [ "$(cat file)" = old ] || fail "the old file was changed"
   [ "$(ls)" = "$(printf '%s\n' err file out)" ] || fail "left behind: $(ls)"
+}
+
+# A signal while it waits for the reader of a pipe, with the other file prepared.
+InterruptedAtAPipe() {
+  mkfifo pipe
+  "$program" solve "${paper_scene[@]}" --output file --profile pipe 2>err &
+  until [ -n "$(find . -name 'thermoroll-*')" ]; do sleep 0.05; done
+  kill -TERM $!
+  status=0
+  wait $! || status=$?
+  [ $status -eq 143 ] || fail "status $status: $(cat err)"
+  [ "$(ls)" = "$(printf '%s\n' err pipe)" ] || fail "left behind: $(ls)"
 }
 
 FullDevice() {

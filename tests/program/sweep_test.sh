@@ -409,6 +409,30 @@ END
   refuses 2 "it must stand above or beside the results" sweep scenes.csv --config wheel.toml --output all.csv --datapackage results/p.json
   refuses 2 "--datapackage describes the results of a whole table" sweep scenes.csv --config wheel.toml --datapackage p.json
   [ ! -e all.csv ] && [ ! -e p.json ] || fail "left behind: $(ls)"
+  printf 'caf\351,friction,traction,peclet\n1,0.6,0.5,100\n' >scenes.csv
+  run sweep scenes.csv --keep $'caf\351' --output $'caf\351.csv' --datapackage p.json
+  [ $status -eq 0 ] && [ ! -s err ] || fail "status $status: $(cat err)"
+  grep -qF '"name": "caf�"' p.json && grep -qF '"path": "caf�.csv"' p.json || fail "$(cat p.json)"
+}
+
+# Before a row is solved: with --resume, rows would be there.
+BadPackagesAreFoundAtOnce() {
+  write_scenes
+  mkdir folder closed closed/open
+  refuses 1 "cannot write folder: Is a directory" sweep scenes.csv --resume results.csv --datapackage folder
+  [ ! -e results.csv ] || fail "rows were solved: $(cat results.csv)"
+  cp "$program" program
+  chmod 755 "$scratch" . program
+  chmod 777 closed/open
+  chmod 555 closed
+  status=0
+  powerless ./program sweep scenes.csv --resume closed/open/results.csv --datapackage closed/p.json 2>err || status=$?
+  chmod 755 closed
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  one_line "cannot write closed/p.json: Permission denied"
+  [ ! -e closed/open/results.csv ] || fail "rows were solved: $(cat closed/open/results.csv)"
+  refuses 2 "it must be a file" sweep scenes.csv --resume folder --datapackage p.json
+  [ "$(ls)" = "$(printf '%s\n' chapter.csv closed err folder out program scenes.csv)" ] || fail "left behind: $(ls)"
 }
 
 # A file as the argument, `-`, or standard input: the same bytes.
@@ -421,7 +445,7 @@ TableInAFile() {
   "$program" sweep - <scenes.csv >results.csv 2>err || [ $? -eq 4 ] || fail "$(cat err)"
   cmp results.csv expected
   refuses 2 "cannot read the table absent.csv: No such file" sweep absent.csv
-  refuses 1 "cannot read the table: Is a directory" sweep .
+  refuses 2 "cannot read the table .: Is a directory" sweep .
 }
 
 # The file is complete when it appears. After a signal, a refusal or a full disk there is none, or the old one.
@@ -468,6 +492,14 @@ ResumesWhereItWasStopped() {
     refuses 4 "10 of 40 rows have an error" sweep scenes.csv --format $format --resume results
     cmp results expected || fail "$format: not the same from nothing"
   done
+  for format in csv jsonl; do
+    "$program" sweep scenes.csv --part 40/40 --format $format >expected
+    for bytes in 0 10 "$(wc -c <expected)"; do
+      head -c "$bytes" expected >results
+      "$program" sweep scenes.csv --part 40/40 --format $format --resume results
+      cmp results expected || fail "$format: a part of a row is not the same after $bytes bytes"
+    done
+  done
   { echo friction,traction,peclet,heating,tolerance; yes 0.6,0.7,100,1, | head -50000; } >scenes.csv
   rm results
   interrupt TERM 600000 "$program" sweep scenes.csv --jobs 1 --resume results
@@ -483,7 +515,39 @@ ResumesWhereItWasStopped() {
 }
 
 # Another table, other options, too many rows, or no file at all are refused, and the file stays as it is.
+# Not what stands in a file without a line feed, unless it is a beginning of the results.
+ErasesNoOtherFile() {
+  write_scenes
+  head -1 scenes.csv >header.csv
+  printf 'precious data' >notes.txt
+  cp notes.txt kept
+  local arguments
+  for arguments in scenes.csv header.csv "scenes.csv --format jsonl" "header.csv --format jsonl" \
+    "scenes.csv --part 2/2" "header.csv --part 2/2"; do
+    # shellcheck disable=SC2086
+    refuses 2 "resume = notes.txt is not allowed: it does not begin as the results of this sweep do" sweep $arguments --resume notes.txt
+    cmp notes.txt kept || fail "$arguments changed the file: $(cat notes.txt)"
+  done
+}
+
+# What may be written but not read is not empty.
+UnreadableFileIsNotResumed() {
+  write_scenes
+  echo precious >secret
+  cp "$program" program
+  chmod 755 "$scratch" . program
+  [ "$(id -u)" != 0 ] || chown 65534 secret
+  chmod 200 secret
+  status=0
+  powerless ./program sweep scenes.csv --resume secret 2>err || status=$?
+  [ $status -eq 2 ] || fail "status $status: $(cat err)"
+  one_line "resume = secret is not allowed: it cannot be read"
+  chmod 600 secret
+  [ "$(cat secret)" = precious ] || fail "the file was changed: $(cat secret)"
+}
+
 ResumesNothingElse() {
+  local text
   write_scenes
   sweeps 4
   head -3 results.csv >some.csv
@@ -494,6 +558,11 @@ ResumesNothingElse() {
   head -2 scenes.csv >few.csv
   refuses 2 "it has more rows than the table" sweep few.csv --resume some.csv
   cmp some.csv kept || fail "the file was changed"
+  for text in '{"status": "x"}' '{"status": {}}' '["status"]' 7 words; do
+    echo "$text" >some.json
+    refuses 2 "it ends with another row" sweep scenes.csv --format jsonl --resume some.json
+    [ "$(cat some.json)" = "$text" ] || fail "the file was changed: $(cat some.json)"
+  done
   refuses 2 "resume = . is not allowed: it must be a file" sweep scenes.csv --resume .
   echo before >before
   "$program" sweep scenes.csv --resume - >>before 2>err && fail "- is no file that ends"
@@ -727,6 +796,8 @@ LongLines() {
   sweeps 4
   [ "$(error_of 1)" = "2 the row has more than 10000 characters" ] || fail "$(error_of 1)"
   [ "$(error_of 2)" = "0 " ] || fail "$(error_of 2)"
+  printf 'friction,traction,peclet,%09968d,heating-2\n0.6,0.5,100,x,1\n' 1 >scenes.csv # was cut to heating
+  refuses 2 "the header has more than 10000 characters" sweep scenes.csv --keep "$(printf '%09968d' 1)"
 }
 
 UnreadableInput() {
