@@ -95,10 +95,12 @@ void check(const PhysicalScene& si) {
   check_but_half_width(si);
   require(si.half_width > 0, "half-width", si.half_width, "positive");
   const Units unit = units_of(si, 1);
-  require(unit.traction > 0, "P/a", unit.traction, "positive");
-  require(unit.slip > 0, "2 (1-nu) P V / (mu a)", unit.slip, "positive");
-  require(unit.heat_flux > 0, "2 (1-nu) P^2 V / (mu a^2)", unit.heat_flux, "positive");
-  require(unit.temperature > 0, "2 (1-nu) P^2 V / (mu a K)", unit.temperature, "positive");
+  require(unit.traction > 0, "unit of traction P/a", unit.traction, "positive");
+  require(unit.slip > 0, "unit of slip 2 (1-nu) P V / (mu a)", unit.slip, "positive");
+  require(unit.heat_flux > 0, "unit of heat flux 2 (1-nu) P^2 V / (mu a^2)", unit.heat_flux,
+          "positive");
+  require(unit.temperature > 0, "unit of temperature 2 (1-nu) P^2 V / (mu a K)", unit.temperature,
+          "positive");
 }
 
 double grueneisen(double capacity, double expansion, double shear_modulus, double poisson) {

@@ -71,8 +71,7 @@ std::shared_ptr<const PairTable> table_of(const Scene& pair, bool crossing) {
   static thread_local Scene last{};
   static thread_local std::shared_ptr<const PairTable> made;
   if (!made || !same_bodies(pair, last)) made = std::make_shared<const PairTable>(pair, true);
-  last = pair;
-  last.law = nullptr;  // it may hold a caller's data
+  (last = pair).law = nullptr;  // it may hold a caller's data
   return made;
 }
 

@@ -154,6 +154,11 @@ Results errors_near_leading_edge(const Scene& scene, const GridSolution& level,
 
 double error_of_one_temperature(int n) { return 12 * std::pow(24 + std::max(n, 20), -6); }
 
+Results law_error(const Scene& scene, int n, const Prescribed& given, const Results& slope) {
+  if (!scene.law || given.quantity != traction) return Results::Zero();
+  return error_of_one_temperature(n) * (given.value * slope).abs();
+}
+
 /// Estimated errors, each relative to its scale, on a grid with the tail now and before, by the
 /// change since the previous grid and the share of each quantity in the effects of heat.
 Results estimate(const Results& change, const Results& share, double now, double before,
@@ -378,11 +383,9 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
   if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
-  if (scene.law && given.quantity == traction)
-    left += error_of_one_temperature(n) * (given.value * slope / scale).abs();
   const double of_rounding = rounding(given, slope, scale);
   left += errors_near_leading_edge(scene, level, given, share, scale, corrected - of_rounding);
-  left += error_of_bulk(scene, level, given, slope) / scale;
+  left += (error_of_bulk(scene, level, given, slope) + law_error(scene, n, given, slope)) / scale;
   return {value, change, left + of_rounding};
 }
 
@@ -465,10 +468,8 @@ CoupledSolution with_last_stick(const Scene& scene, const Approach& approach, do
 
 void give_creep(CoupledSolution& x, double given) {
   const double miss = std::abs(given - x.value(creep));
-  const double part = miss / std::abs(x.value(heat_integral));
-  x.error(creep_constant) += miss;
-  for (const Quantity q : {heat_integral, max_temperature})
-    x.error(q) += part * std::abs(x.value(q));
+  for (const Quantity q : {creep_constant, heat_integral}) x.error(q) += miss;
+  x.error(max_temperature) += miss * std::abs(x.value(max_temperature) / x.value(heat_integral));
   x.value(creep) = given;
   x.error(creep) = 0;
 }

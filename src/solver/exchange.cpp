@@ -316,8 +316,7 @@ std::shared_ptr<const BulkExchange> bulk_on(const Scene& scene, int n) {
   static thread_local Scene last{};
   static thread_local std::map<int, std::shared_ptr<const BulkExchange>> found;
   if (scene.friction != last.friction || !same_bodies(scene, last)) found.clear();
-  last = scene;
-  last.law = nullptr;
+  (last = scene).law = nullptr;
   auto& kept = found[n];
   if (!kept) kept = std::make_shared<const BulkExchange>(solve_bulk(scene, n));
   return kept;

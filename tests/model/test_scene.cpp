@@ -168,16 +168,16 @@ TEST(Scene, UnitsThatOverflowAreRefused) {
   PhysicalScene si = thermoroll::wheel_on_rail();
   EXPECT_NO_THROW(thermoroll::check(si));
   si.load = 1e160;
-  expect_refusal(si, "2 (1-nu) P^2 V / (mu a^2)", infinity, "positive");
+  expect_refusal(si, "unit of heat flux 2 (1-nu) P^2 V / (mu a^2)", infinity, "positive");
   si = thermoroll::wheel_on_rail();
   si.conductivity = 1e-305;
-  expect_refusal(si, "2 (1-nu) P^2 V / (mu a K)", infinity, "positive");
+  expect_refusal(si, "unit of temperature 2 (1-nu) P^2 V / (mu a K)", infinity, "positive");
   si = thermoroll::wheel_on_rail();
   si.load = 1e-323;
-  expect_refusal(si, "2 (1-nu) P V / (mu a)", 0, "positive");
+  expect_refusal(si, "unit of slip 2 (1-nu) P V / (mu a)", 0, "positive");
   si.load = 1e300;
   si.half_width = 1e-20;
-  expect_refusal(si, "P/a", infinity, "positive");
+  expect_refusal(si, "unit of traction P/a", infinity, "positive");
 }
 
 // A value just outside its range is refused with enough digits to see why.

@@ -1280,7 +1280,7 @@ END
     refuses 2 "traction = ${sign}0.7 is not allowed: it must be between -0.6 and 0.6, the friction" \
       solve --friction 0.6 --traction ${sign}0.7 --peclet 100
   done
-  refuses 2 "peclet = inf is not allowed: it must be finite and positive" \
+  refuses 2 "unit of heat flux 2 (1-nu) P^2 V / (mu a^2) = 0 is not allowed: it must be positive" \
     solve "${steel[@]}" --half-width 1e308
   # no contact is found, rather than a wrong one
   refuses 1 "coupled: no" solve --friction 0.6 --traction 0.5 --peclet 1e200 --heating 1e200
