@@ -393,11 +393,11 @@ void add_errors_of_crossing(const Scene& scene, const GridSolution& last, const 
                             GridSolution& level) {
   CrossingHeat& now = *level.crossing;
   const double moved = std::abs(found.value(stick_slip_border) - level.at.c0());
-  const double part = found.worst() + 3 * moved / level.at.slip;
+  const double part = 4 * found.worst() + 3 * moved / level.at.slip;
   const auto bulk = bulk_exchange(scene, level.h.size());
   const double size = std::abs(scene.bulk_difference);
   const double of_bulk = bulk ? size * std::abs(bulk->heat) : 0;
-  const double least = 4 * part * std::max(std::abs(now.heat), of_bulk);
+  const double least = part * std::max(std::abs(now.heat), of_bulk);
   now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), least);
   now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), part * std::abs(now.edge));
   if (!bulk) return;

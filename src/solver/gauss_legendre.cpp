@@ -46,7 +46,7 @@ static GaussLegendre make_rule(int n) {
 }
 
 const GaussLegendre& gauss_legendre(int n) {
-  static std::array<std::atomic<const GaussLegendre*>, 1024> made{};
+  static std::array<std::atomic<const GaussLegendre*>, 4096> made{};
   auto& place = made.at(static_cast<std::size_t>(n));
   const GaussLegendre* kept = place;
   if (kept == nullptr) {
