@@ -191,7 +191,7 @@ static int law_at(int law, double creep, double *traction, double *slope, double
   const int brakes = more < 0, side = 2 * law + brakes;
   const double sign = brakes ? -1 : 1, size = sign * more, unit = unit_creep[side];
   *traction = *slope = *temperature = 0;
-  if (!(size <= last_creep[side])) return 1;
+  if (!(size <= last_creep[side] && isfinite(size))) return 1;
   const double z = size <= unit ? sqrt(size / unit) : 2 - unit / size;
   int k = first_piece[side];
   while (k + 1 < first_piece[side + 1] && z > to_z[k]) ++k;
@@ -279,7 +279,7 @@ def law_at(law, creep):
     more = creep / creep_unit - no_slip_creep[law]
     side, sign = (2 * law + 1, -1) if more < 0 else (2 * law, 1)
     size, unit = sign * more, unit_creep[side]
-    if not size <= last_creep[side]:
+    if not size <= last_creep[side] or math.isinf(size):
         return 0.0, 0.0, 0.0, 1
     z = math.sqrt(size / unit) if size <= unit else 2 - unit / size
     k = first_piece[side]
