@@ -31,8 +31,7 @@ void draw_second_body(Random& random, StudyKind kind, Scene& scene) {
   const double conductivity = random.log_uniform(0.1, 10);
   scene.roller = {conductivity, scene.heating * random.log_uniform(0.1, 10)};
   if (kind == StudyKind::alike) return;
-  const double apart = random.uniform() < 0.3 ? 1e5 : 30;
-  scene.roller.peclet = scene.peclet * random.log_uniform(1 / apart, apart);
+  scene.roller.peclet = scene.peclet * random.log_uniform(1.0 / 30, 30);
   if (kind == StudyKind::unlike) return;
   if (kind == StudyKind::law_of_unlike && random.uniform() < 0.5) return;
   const double side = random.uniform() < 0.5 ? -1 : 1;
