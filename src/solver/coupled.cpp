@@ -211,7 +211,7 @@ Results estimate_with_law(const Results& change, const Results& share, const Vec
   const Results of_change = part_with_law(before, now) * change;
   const double largest = of_change.head(compared).maxCoeff();
   Results error = of_change.max(share * std::max(of_tail, largest)) + 2e-15 * n;
-  error(max_temperature) += 12 * std::pow(24 + std::max(n, 20), -6);
+  error(max_temperature) += error_of_one_temperature(n);
   return error;
 }
 
@@ -467,9 +467,10 @@ CoupledSolution with_last_stick(const Scene& scene, const Approach& approach, do
 }
 
 void give_creep(CoupledSolution& x, double given) {
-  const double miss = std::abs(given - x.value(creep));
-  for (const Quantity q : {creep_constant, heat_integral}) x.error(q) += miss;
-  x.error(max_temperature) += miss * std::abs(x.value(max_temperature) / x.value(heat_integral));
+  const double miss = given - x.value(creep), size = std::abs(miss);
+  x.value(creep_constant) += miss;
+  for (const Quantity q : {creep_constant, heat_integral}) x.error(q) += size;
+  x.error(max_temperature) += size * std::abs(x.value(max_temperature) / x.value(heat_integral));
   x.value(creep) = given;
   x.error(creep) = 0;
 }

@@ -358,8 +358,8 @@ code() { awk -v begin="\`\`\` $1" '$0 == begin { on = 1; next } /^```/ { on = 0 
 readme() { code "$1" "$project/README.md"; }
 chapter() { code "$1" "$project/paper/K-from-other-languages.md"; }
 
-# same_answers FILE FILE: the same words, and numbers no further apart than the errors stated behind
-# them and half a last digit.
+# same_answers FILE FILE: the same words and errors, and numbers no further apart than the errors stated
+# behind them and half a last digit.
 same_answers() {
   awk -v other="$2" '
     function words(line) { gsub(/[0-9][-+.0-9e]*/, "#", line); return line }
@@ -368,7 +368,8 @@ same_answers() {
       if ((getline line <other) != 1 || words($0) != words(line)) exit 1
       split(line, b)
       for (k = 1; k <= NF; ++k) {
-        if ($k !~ /^[0-9]/ || $(k - 1) == "+-") continue
+        if ($k !~ /^[0-9]/) continue
+        if ($(k - 1) == "+-" && $k != b[k]) exit 1
         bound = 2 * half_digit($k) + ($(k + 1) == "+-" ? $(k + 2) + b[k + 2] : 0)
         if ($k - b[k] > bound || b[k] - $k > bound) exit 1
       }
@@ -404,6 +405,8 @@ InstalledPackage() { # in the copy
   ! same_answers "$user/other" "$user/printed" || fail "another word was not found"
   sed '/^creep/s/\.[0-9]/.9/' "$user/expected" >"$user/other"
   ! same_answers "$user/other" "$user/printed" || fail "another number was not found"
+  sed '/^traction/s/[0-9]e-/9e-/' "$user/expected" >"$user/other"
+  ! same_answers "$user/other" "$user/printed" || fail "another error was not found"
   sed '$d' "$user/expected" >"$user/other"
   ! same_answers "$user/other" "$user/printed" || fail "a missing line was not found"
 

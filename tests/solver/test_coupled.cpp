@@ -1292,8 +1292,17 @@ TEST(Coupled, TheLastOfTheStickZoneHasTheGivenCreep) {
   const CoupledSolution x =
       solve_coupled(scene, {Formulation::corrected, 1e-6}, {Quantity::creep, creep});
   EXPECT_GT(x.value(Quantity::stick_slip_border), -1);
+  // The same zone, prescribed: its creep is the given one but for its own error, and what is missed
+  // is in the errors of the constant and of the heat.
+  const CoupledSolution y =
+      solve_coupled(scene, {Formulation::corrected, 1e-7},
+                    {Quantity::stick_slip_border, x.value(Quantity::stick_slip_border)});
+  const double missed = std::abs(creep - y.value(Quantity::creep));
+  EXPECT_LE(missed, y.error(Quantity::creep));
+  for (const Quantity q : {Quantity::creep_constant, Quantity::heat_integral})
+    EXPECT_NEAR(x.error(q), y.error(q) + missed, 1e-12 * y.error(q) + 1e-15);
   EXPECT_NEAR(x.value(Quantity::creep_constant), creep + scene.friction * x.value(Quantity::gamma0),
-              x.error(Quantity::creep_constant));
+              1e-14);
 }
 
 // An estimate that overflows tells nothing of the next grid, and the scene is refused.
