@@ -468,7 +468,7 @@ Enclosed next_to_maximum(CreepCurve curve, const Highest& top, Branch branch, do
   const double end = top.rho + (branch == Branch::rising ? -reach : reach);
   const double rho = place_of(top.local, 0, asked, end, top.rho);
   const Results by_rho = derivative(top.local, 1, rho);
-  curve.n = std::clamp(curve.n, 48, 2 * most_unknowns / 3);  // the next has half as many more
+  curve.n = std::min(curve.n, 2 * most_unknowns / 3);  // the next one has half as many more
   return {solution_on(curve, rho, near), by_rho / by_rho(traction)};
 }
 

@@ -488,13 +488,15 @@ TEST(Exchange, TemperaturesAtTheTrailingEdgeHaveTheirError) {
 // What is kept for the next scene has no law of friction, which may hold a caller's data.
 TEST(Exchange, NoLawIsKept) {
   const auto data = std::make_shared<int>(0);
-  {
-    Scene scene{0.6, 10, 0.01, {2, 0.01, 5}};
-    scene.bulk_difference = 1e-3;
-    scene.law = [data](double) { return RelativeFriction{1, 0}; };
-    solve_coupled(scene, {Formulation::corrected, 1e-2}, {Quantity::stick_slip_border, 0});
-  }
-  EXPECT_EQ(data.use_count(), 1);
+  for (const double bulk_difference : {0.0, 1e-3})
+    for (const double peclet : {10.0, 1e4}) {
+      Scene scene{0.6, peclet, 0.01, {2, 0.01, peclet / 2}};
+      scene.bulk_difference = bulk_difference;
+      scene.law = [data](double) { return RelativeFriction{1, 0}; };
+      solve_coupled(scene, {Formulation::corrected, 1e-2}, {Quantity::stick_slip_border, 0});
+      scene.law = nullptr;
+      EXPECT_EQ(data.use_count(), 1) << bulk_difference << ' ' << peclet;
+    }
 }
 
 // In this random scene of strong heat the crossing heats of 120 and of 192 unknowns agree by
