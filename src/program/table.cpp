@@ -418,7 +418,12 @@ RowsSoFar rows_so_far(const SweepTable& t, std::istream& file, bool has_header) 
       throw std::invalid_argument("has other columns than the results of this sweep");
     if (first) continue;
     ++x.rows;
-    x.failed += has_failed(t, line);
+    try {
+      x.failed += has_failed(t, line);
+    } catch (const std::invalid_argument&) {  // its quotes
+      throw std::invalid_argument("has a row that no sweep has written: row " +
+                                  std::to_string(x.rows));
+    }
     x.last = line;
   }
   x.rest = line;

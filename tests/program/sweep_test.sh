@@ -558,6 +558,8 @@ ResumesNothingElse() {
   head -2 scenes.csv >few.csv
   refuses 2 "it has more rows than the table" sweep few.csv --resume some.csv
   cmp some.csv kept || fail "the file was changed"
+  sed '3s/^/"/' some.csv >open.csv
+  refuses 2 "it has a row that no sweep has written: row 2" sweep scenes.csv --resume open.csv
   for text in '{"status": "x"}' '{"status": {}}' '["status"]' 7 words; do
     echo "$text" >some.json
     refuses 2 "it ends with another row" sweep scenes.csv --format jsonl --resume some.json
