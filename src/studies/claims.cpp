@@ -40,6 +40,11 @@ double moment(const Carter& c, int power) {
   return integrate(integrand, {0, length}).value;
 }
 
+Verdict computed(bool holds, const std::string& result) {
+  if (!holds) return verdict(false);
+  return {Judgement::extended, "computed: " + result};
+}
+
 struct PaperScene {
   double traction, peclet;
   PublishedSolution coarse, fine;      // by the published scheme, n = 50 and 200
@@ -438,7 +443,7 @@ Claim on_two_bodies() {
           "–",
           "–",
           fixed(ratio, 3),
-          verdict(std::abs(2 * ratio - 1) < 0.01, "computed: half as hot"),
+          computed(std::abs(2 * ratio - 1) < 0.01, "half as hot"),
           {"sec:claims-future",
            "Claim on two bodies that conduct",
            {"Claims.TwoBodiesAreHalfAsHot"},
@@ -454,7 +459,7 @@ Claim on_hot_friction() {
           "–",
           "–",
           fixed(top.traction, 3) + " at the creep " + fixed(top.creep, 3),
-          verdict(share > 0.5 && share < 0.99, "computed: " + fixed(100 * share, 0) + " % of f"),
+          computed(share > 0.5 && share < 0.99, fixed(100 * share, 0) + " % of f"),
           {"sec:claims-future",
            "Claim on friction that depends on temperature",
            {"Claims.HotFrictionHasALargestTraction"},

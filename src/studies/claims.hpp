@@ -6,7 +6,7 @@
 
 namespace thermoroll {
 
-enum class Judgement { holds, restricted, near, not_reproduced, fails, untestable };
+enum class Judgement { holds, restricted, near, not_reproduced, fails, extended, untestable };
 struct Verdict {
   Judgement outcome;
   std::string words;

@@ -134,6 +134,7 @@ void values_of_the_claims(nlohmann::ordered_json& v) {
   v["claims_near"] = std::to_string(count_of(all, Judgement::near));
   v["claims_not_reproduced"] = std::to_string(count_of(all, Judgement::not_reproduced));
   v["claims_fail"] = std::to_string(count_of(all, Judgement::fails));
+  v["claims_extended"] = std::to_string(count_of(all, Judgement::extended));
   v["claims_untestable"] = std::to_string(count_of(all, Judgement::untestable));
   const PhysicalScene steel = wheel_on_rail();
   const double hottest = paper::coupled(0.59, 15000).value(Quantity::max_temperature);
