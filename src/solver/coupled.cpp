@@ -47,6 +47,11 @@ bool is_uneven(const Scene& scene) {
   return is_unlike(scene) && scene.bulk_difference == 0 && unevenness(scene) > 30;
 }
 
+/// With crossing heat, on a grid of n unknowns.
+bool is_of_flux(const Scene& scene, int n, double tail) {
+  return scene.bulk_difference == 0 && (unevenness(scene) < 1.5 || n < 30 || tail > 0.01);
+}
+
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& slope) {
   Results error = Results::Zero();
@@ -62,10 +67,13 @@ Results error_of_bulk(const Scene& scene, const GridSolution& level, const Presc
   return std::abs(scene.bulk_difference) * error;
 }
 
-/// Large f H, or a zone of less than a twentieth of the contact.
-bool converges_slowly(const Scene& scene, const ZoneLengths& at) {
+/// Large f H, in full slip times the creep in units of 2 f / pi, or a zone of less than a twentieth
+/// of the contact.
+bool converges_slowly(const Scene& scene, const GridSolution& x) {
+  const ZoneLengths& at = x.at;
   const bool short_zone = at.stick > 0 && std::min(at.slip, at.stick) < 0.1;
-  return scene.friction * heating_of_both(scene) > 1 || short_zone;
+  const double slides = at.stick == 0 ? pi * x.value(creep) / (2 * scene.friction) : 1;
+  return scene.friction * heating_of_both(scene) * std::max(1.0, slides) > 1 || short_zone;
 }
 
 /// The unknowns of a grid and of the one before it; slow if errors fall slowly, crowded if nodes
@@ -181,7 +189,7 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
                   double missing) {
   const auto before = static_cast<int>(last.h.size()), now = static_cast<int>(level.h.size());
   double next = scene.bulk_difference != 0 ? 1.6 * n : 2 * n;
-  const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level.at));
+  const bool steady = !level.crossing && (now > 50 || !converges_slowly(scene, level));
   if (now > before && steady && level.violations.empty()) {
     const double rate = std::log(tail(last.h) / tail(level.h)) / (now - before);
     const bool layers = strain_of_zone(scene, level.at) >= strain_of_layers;
@@ -352,7 +360,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
                    const GridSolution& last, const Prescribed& given, const Results& slope) {
   const Results scale = scale_in(scene, level.value), value = carried_over(level, given, slope);
   const Results corrected = (value - level.value).abs() / scale;
-  const bool slow = converges_slowly(scene, level.at);
+  const bool slow = converges_slowly(scene, level);
   const auto n = static_cast<int>(level.h.size());
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
@@ -370,12 +378,12 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left = estimate_with_law(change, share, last.h, level.h, level.at.slip * faster(scene)) + small;
   if (level.crossing && !layered) {
     const double flat_tail = slow && scene.bulk_difference != 0 && n <= 200 ? 2 : 0.2;
-    const double tails = flat ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
+    const bool of_edges = flat && !is_of_flux(scene, n, now);
+    const double tails = of_edges ? flat_tail * now / (n * n) : left.head(compared).maxCoeff();
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + 2e-15 * n;
-    const bool one_bulk = scene.bulk_difference == 0;
     const bool coarse_and_flat = flat && n <= 200;
-    double of_layer = coarse_and_flat && one_bulk ? now / (n * n) : 0;
+    double of_layer = coarse_and_flat && scene.bulk_difference == 0 ? now / (n * n) : 0;
     if (slow && n < 48) of_layer = std::max(of_layer, now / 20);
     if (coarse_and_flat && n > 96 && now > then / 2)
       of_layer = std::max(of_layer, 2 * change(max_temperature));
@@ -492,7 +500,7 @@ CoupledSolution solve_with_little_stick(const Scene& scene, const Approach& appr
 
 double error_of_hottest(const Scene& scene, const GridSolution& level, double estimate,
                         double tolerance) {
-  const bool by_tail = scene.law || level.at.variable.beta > 0 || converges_slowly(scene, level.at);
+  const bool by_tail = scene.law || level.at.variable.beta > 0 || converges_slowly(scene, level);
   return std::max(estimate, by_tail ? std::min(tail(level.h), 0.9 * tolerance) : 0);
 }
 

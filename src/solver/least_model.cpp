@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/contact_grid.hpp"
+#include "solver/full_slip.hpp"
 #include "solver/surface.hpp"
 #include "support/number_text.hpp"
 
@@ -77,6 +78,7 @@ struct Correction {
   VectorXd h;                         // its values of h at the nodes
   Results value, cold;                // all but the temperature, with heat and at the old border
   double most, mean;                  // relative change of the flux, at any node and over the heat
+  double sticks = 0;                  // in full slip, a zone that heat may let stick
   std::vector<Violation> violations;  // at the old border
 };
 
@@ -148,6 +150,11 @@ double temperature_at(const HottestPoint& top, const Scene& scene, const Correct
   return temperature_and_slope(at, Conduction(scene), h, 1 + top.y, 1 - top.y, 0, rule).value;
 }
 
+Scene without_heat(Scene scene) {
+  scene.heating = scene.roller.heating = 0;
+  return scene;
+}
+
 CoupledSolution as_solution(const Scene& scene, Formulation formulation, const VectorXd& h,
                             const Results& value, const Carter& c, const HottestPoint& top,
                             const Results& error, const Prescribed& given) {
@@ -156,11 +163,71 @@ CoupledSolution as_solution(const Scene& scene, Formulation formulation, const V
   x.value(Quantity::max_temperature) = heat_share(scene) * top.value;
   x.value(Quantity::max_temperature_at) = at.c0() + at.slip * SlipPoint(1 + top.y, 1 - top.y).t();
   const Results scale = scale_of(x.value);
-  x.error = (error + 1e-13 + rounding(given, carter_slope(c, given.quantity), scale)) * scale;
+  const Results slope = c.b > 0 ? carter_slope(c, given.quantity) : Results::Zero();
+  x.error = (error + 1e-13 + rounding(given, slope, scale)) * scale;
   x.error(Quantity::max_temperature_at) = at.slip * std::sqrt(largest_error(x));
   x.value(given.quantity) = given.value;
   add_eccentricity(x.value, x.error);
   return x;
+}
+
+bool slips_without_heat(double friction, const Prescribed& given) {
+  return given.quantity == creep && pi / 2 * given.value >= friction;
+}
+
+Carter carter_in_full_slip(double friction, double creep) { return {friction, 0, 1, -1, creep}; }
+
+/// The changes of all but the temperature, at the given creep.
+Correction correct_full_slip(const Scene& scene, Formulation formulation, const Carter& cold,
+                             const VectorXd& h) {
+  const ContactGrid grid = at_creep(full_slip_grid(scene, formulation, 10), cold.creep);
+  const TractionOperators& by = grid.tractions;
+  const ArrayXd flat = by.p0 * by.v0, moved = (by.v * h).array();
+  const ArrayXd gained = (by.p0 + (by.p * h).array()) * (by.v0 + moved) - flat;
+  Correction x;
+  const Resultants sum = resultants(grid, h);
+  const VectorXd& heat = grid.nodes.heat;
+  x.carter = cold;
+  x.h = (flat + gained).matrix();
+  x.cold = x.value = carter_values(cold);
+  x.value(load_ratio) = sum.kappa;
+  x.value(gamma0) = sum.gamma0;
+  x.value(creep_constant) += scene.friction * sum.gamma0;
+  x.value(heat_integral) += 4 * heat.dot(gained.matrix());
+  x.most = gained.abs().maxCoeff() / flat.maxCoeff();
+  x.mean = heat.dot(gained.abs().matrix()) / heat.dot(flat.matrix());
+  const double unit = 2 * scene.friction / pi;
+  x.sticks = std::max(0.0, 1 + (2 * moved.abs().maxCoeff() - cold.creep) / unit);
+  return x;
+}
+
+/// With the relative change of the largest temperature.
+Results error_in_full_slip(const Correction& x, double hotter) {
+  Results change = (x.value - x.cold).abs() / scale_of(x.cold);
+  change(max_temperature) = hotter;
+  const double r = std::max(largest_change(x), x.most);
+  Results error = 1.5 * change + 0.02 * r + r * r + x.sticks * x.sticks / 4;
+  error(stick_slip_border) = error(slip_length) = x.sticks;
+  error(traction) = x.cold(traction) * x.sticks * x.sticks / 4;
+  return error;
+}
+
+CoupledSolution closed_form_in_full_slip(const Scene& scene, const Approach& approach,
+                                         const Prescribed& given) {
+  const double f = scene.friction, tolerance = approach.tolerance;
+  const Carter c = carter_in_full_slip(f, given.value);
+  const ZoneLengths at = zones_of(c);
+  VectorXd h = carter_h(at, f);
+  h(0) += 2 / pi * (c.creep - 2 * f / pi);
+  const GaussLegendre& rule = graded_nodes(tolerance, 2 * scene.peclet);
+  const HottestPoint near = expected_hottest(at, scene.peclet);
+  const HottestPoint top = find_hottest(at, Conduction(scene), h, near, rule);
+  const Correction x = correct_full_slip(scene, approach.formulation, c, h);
+  const double hotter = temperature_at(top, scene, x, rule) / top.value - 1;
+  Results error = error_in_full_slip(x, std::abs(hotter));
+  error(max_temperature) += 0.1 * tolerance;
+  return as_solution(without_heat(scene), approach.formulation, h, carter_values(c), c, top, error,
+                     given);
 }
 
 /// The reason; null where a lower level may do.
@@ -168,10 +235,24 @@ const char* why_coupled(const Scene& scene, const Prescribed& given) {
   if (scene.law) return "friction depends on temperature";
   if (scene.bulk_difference != 0) return "the bulk temperatures differ";
   if (is_unlike(scene)) return "the bodies have unlike diffusivities";
-  return sticks_without_heat(scene.friction, given) ? nullptr : "without heat nothing would stick";
+  return nullptr;
 }
 
 std::string brief(double x) { return std::isfinite(x) ? with_exponent(x, 2) : "an unknown part"; }
+
+Choice least_in_full_slip(const Scene& scene, const Approach& approach, const Prescribed& given) {
+  const double speed = std::min(1.0, 2 * scene.peclet);
+  double change = scene.friction * heating_of_both(scene) * given.value * speed;
+  std::string reason = "heat is expected to change results in full slip by " + brief(change);
+  if (change <= approach.tolerance) {
+    const CoupledSolution x = closed_form_in_full_slip(scene, approach, given);
+    change = largest_error(x);
+    if (change <= approach.tolerance)
+      return {Model::closed_form, "heat changes no result by more than " + brief(change), x};
+    reason = "heat may change results in full slip by " + brief(change);
+  }
+  return {Model::coupled, reason, solve_coupled(scene, approach, given)};
+}
 
 }  // namespace
 
@@ -191,6 +272,8 @@ double largest_error(const CoupledSolution& x) {
 }
 
 CoupledSolution closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
+  if (slips_without_heat(scene.friction, given))
+    return closed_form_in_full_slip(scene, approach, given);
   const Carter c = carter_given(scene.friction, given);
   const ZoneLengths at = zones_of(c);
   const VectorXd h = carter_h(at, scene.friction);
@@ -199,9 +282,8 @@ CoupledSolution closed_form(const Scene& scene, const Approach& approach, const 
   if (heating_of_both(scene) > 0)
     error = error_of_closed_form(correct(scene, approach.formulation, given, c, h, 6));
   error(Quantity::max_temperature) += 0.1 * approach.tolerance;
-  Scene cold = scene;  // as its tractions are
-  cold.heating = cold.roller.heating = 0;
-  return as_solution(cold, approach.formulation, h, carter_values(c), c, top, error, given);
+  return as_solution(without_heat(scene), approach.formulation, h, carter_values(c), c, top, error,
+                     given);
 }
 
 CoupledSolution first_order(const Scene& scene, const Approach& approach, const Prescribed& given) {
@@ -235,6 +317,7 @@ Choice least_model(const Scene& scene, const Approach& approach, const Prescribe
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
   if (const char* why = why_coupled(scene, given))
     return {Model::coupled, why, solve_coupled(scene, approach, given)};
+  if (slips_without_heat(scene.friction, given)) return least_in_full_slip(scene, approach, given);
   double change = expected_change(scene, carter_given(scene.friction, given));
   if (change <= tolerance) {
     CoupledSolution x = closed_form(scene, approach, given);

@@ -178,6 +178,23 @@ double error_of_bulk_flux(const Scene& scene, int n, const Eigen::ArrayXd& s) {
   return 2 * (temperature_with(other) - temperature_with(n)).abs().maxCoeff();
 }
 
+/// In temperatures on the surface; 0 where it is not solved for.
+double error_of_crossing_flux(const CoupledSolution& x, SmoothFlux by, const Eigen::ArrayXd& s) {
+  if (!exchanges(x.scene, by.zones())) return 0;
+  Scene alone = x.scene;
+  alone.bulk_difference = 0;
+  const auto temperature_with = [&](int nodes) {
+    Eigen::ArrayXd all = Eigen::ArrayXd::Zero(s.size());
+    for (const ExchangedFlux& e : exchanged_fluxes(alone, x.formulation, by, nodes))
+      all += temperature_of(e, alone.peclet, s);
+    return all;
+  };
+  const Eigen::ArrayXd own = temperature_with(x.unknowns);
+  const int other = x.unknowns <= 360 ? 4 * x.unknowns / 3 : 3 * x.unknowns / 4;
+  if (other < x.unknowns) by.h.conservativeResize(other);
+  return 4 * (temperature_with(other) - own).abs().maxCoeff();
+}
+
 SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   const SmoothFlux flux = coupled ? smooth_flux(*coupled) : smooth_flux(std::get<Carter>(x.found));
@@ -188,6 +205,7 @@ SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   if (!coupled) return all;
   for (const ExchangedFlux& e : crossing_flux(*coupled))
     all.temperature += temperature_of(e, x.scene.peclet, s);
+  all.error += error_of_crossing_flux(*coupled, flux, s);
   if (x.scene.bulk_difference != 0) all.error += error_of_bulk_flux(x.scene, coupled->unknowns, s);
   return all;
 }

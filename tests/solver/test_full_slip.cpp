@@ -255,3 +255,21 @@ TEST(FullSlip, FastFlashTemperatureIsErtzAndKnothes) {
   const double unit = 2 / thermoroll::pi * w / std::sqrt(2 * peclet);
   EXPECT_NEAR(x.value(Quantity::max_temperature) / unit, 1.23461983096109546, 2e-7);
 }
+
+// In full slip the flux grows with the creep, and with it the layers of strong heat: f H is 0.23
+// and 0.73 here, where fH > 1 was taken to be strong, but the creep is 27 and 6 times that of the
+// onset.
+TEST(FullSlip, StrongHeatHasTheErrorOfItsFlux) {
+  struct Given {
+    Scene scene;
+    double creep, tolerance;
+  };
+  for (const Given& x : {Given{{0.480773, 19075.3, 0.481348}, 8.32668, 1e-5},
+                         Given{{1.11135, 5381.76, 0.65365}, 4.40223, 1e-5}}) {
+    const CoupledSolution coarse = slipping(x.scene, x.creep, x.tolerance);
+    const CoupledSolution fine = slipping(x.scene, x.creep, 1e-3 * x.tolerance);
+    for (int k = 0; k < thermoroll::compared; ++k)
+      EXPECT_LE(std::abs(coarse.value[k] - fine.value[k]), coarse.error[k] + fine.error[k])
+          << x.scene.peclet << ": " << k;
+  }
+}
