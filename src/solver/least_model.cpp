@@ -187,15 +187,17 @@ Correction correct_full_slip(const Scene& scene, Formulation formulation, const 
   Correction x;
   const Resultants sum = resultants(grid, h);
   const VectorXd& heat = grid.nodes.heat;
-  x.carter = cold;
-  x.h = (flat + gained).matrix();
   x.cold = x.value = carter_values(cold);
   x.value(load_ratio) = sum.kappa;
   x.value(gamma0) = sum.gamma0;
   x.value(creep_constant) += scene.friction * sum.gamma0;
   x.value(heat_integral) += 4 * heat.dot(gained.matrix());
+
+  x.carter = cold;
+  x.h = (flat + gained).matrix();
   x.most = gained.abs().maxCoeff() / flat.maxCoeff();
   x.mean = heat.dot(gained.abs().matrix()) / heat.dot(flat.matrix());
+
   const double unit = 2 * scene.friction / pi;
   x.sticks = std::max(0.0, 1 + (2 * moved.abs().maxCoeff() - cold.creep) / unit);
   return x;
@@ -212,26 +214,30 @@ Results error_in_full_slip(const Correction& x, double hotter) {
   return error;
 }
 
+VectorXd flux_in_full_slip(const Carter& c) {
+  const double f = c.friction;
+  VectorXd h = carter_h(zones_of(c), f);
+  h(0) += 2 / pi * (c.creep - 2 * f / pi);
+  return h;
+}
+
 CoupledSolution closed_form_in_full_slip(const Scene& scene, const Approach& approach,
                                          const Prescribed& given) {
-  const double f = scene.friction, tolerance = approach.tolerance;
-  const Carter c = carter_in_full_slip(f, given.value);
+  const Carter c = carter_in_full_slip(scene.friction, given.value);
+  const VectorXd h = flux_in_full_slip(c);
+  const GaussLegendre& rule = graded_nodes(approach.tolerance, 2 * scene.peclet);
   const ZoneLengths at = zones_of(c);
-  VectorXd h = carter_h(at, f);
-  h(0) += 2 / pi * (c.creep - 2 * f / pi);
-  const GaussLegendre& rule = graded_nodes(tolerance, 2 * scene.peclet);
   const HottestPoint near = expected_hottest(at, scene.peclet);
   const HottestPoint top = find_hottest(at, Conduction(scene), h, near, rule);
   const Correction x = correct_full_slip(scene, approach.formulation, c, h);
   const double hotter = temperature_at(top, scene, x, rule) / top.value - 1;
   Results error = error_in_full_slip(x, std::abs(hotter));
-  error(max_temperature) += 0.1 * tolerance;
-  return as_solution(without_heat(scene), approach.formulation, h, carter_values(c), c, top, error,
-                     given);
+  error(max_temperature) += 0.1 * approach.tolerance;
+  return as_solution(without_heat(scene), approach.formulation, h, x.cold, c, top, error, given);
 }
 
 /// The reason; null where a lower level may do.
-const char* why_coupled(const Scene& scene, const Prescribed& given) {
+const char* why_coupled(const Scene& scene) {
   if (scene.law) return "friction depends on temperature";
   if (scene.bulk_difference != 0) return "the bulk temperatures differ";
   if (is_unlike(scene)) return "the bodies have unlike diffusivities";
@@ -240,17 +246,20 @@ const char* why_coupled(const Scene& scene, const Prescribed& given) {
 
 std::string brief(double x) { return std::isfinite(x) ? with_exponent(x, 2) : "an unknown part"; }
 
+double expected_change_in_full_slip(const Scene& scene, double creep) {
+  return scene.friction * heating_of_both(scene) * creep * std::min(1.0, 2 * scene.peclet);
+}
+
 Choice least_in_full_slip(const Scene& scene, const Approach& approach, const Prescribed& given) {
-  const double speed = std::min(1.0, 2 * scene.peclet);
-  double change = scene.friction * heating_of_both(scene) * given.value * speed;
-  std::string reason = "heat is expected to change results in full slip by " + brief(change);
-  if (change <= approach.tolerance) {
+  const double tolerance = approach.tolerance;
+  double change = expected_change_in_full_slip(scene, given.value);
+  if (change <= tolerance) {
     const CoupledSolution x = closed_form_in_full_slip(scene, approach, given);
     change = largest_error(x);
-    if (change <= approach.tolerance)
+    if (change <= tolerance)
       return {Model::closed_form, "heat changes no result by more than " + brief(change), x};
-    reason = "heat may change results in full slip by " + brief(change);
   }
+  const std::string reason = "heat may change results in full slip by " + brief(change);
   return {Model::coupled, reason, solve_coupled(scene, approach, given)};
 }
 
@@ -315,7 +324,7 @@ Choice least_model(const Scene& scene, const Approach& approach, const Prescribe
   const double tolerance = approach.tolerance;
   check(scene, given);
   require(tolerance >= 1e-11, "tolerance", tolerance, "at least 1e-11");
-  if (const char* why = why_coupled(scene, given))
+  if (const char* why = why_coupled(scene))
     return {Model::coupled, why, solve_coupled(scene, approach, given)};
   if (slips_without_heat(scene.friction, given)) return least_in_full_slip(scene, approach, given);
   double change = expected_change(scene, carter_given(scene.friction, given));
