@@ -467,7 +467,7 @@ fuzz: | build
 	@$(compile) build/fuzz --target $(addprefix fuzz-,$(fuzz_targets))
 	@bash tests/fuzz/run.sh $(or $(MINUTES),4) $(CMAKE_BUILD_PARALLEL_LEVEL) $(fuzz_targets)
 
-STUDY_SCENES ?= 10000
+STUDY_SCENES ?= 12000
 ## study: compare stated with true errors in STUDY_SCENES random scenes, for chapter 13 (minutes)
 study: build/benches-built
 	@$(compile) build/release --target thermoroll-study

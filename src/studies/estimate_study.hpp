@@ -10,7 +10,17 @@
 
 namespace thermoroll {
 
-enum class StudyKind { one_body, alike, unlike, bulk_difference, law, law_of_unlike };
+enum class StudyKind {
+  one_body,
+  alike,
+  unlike,
+  bulk_difference,
+  law,
+  law_of_unlike,
+  printed_sign,
+  nearly_alike,
+  full_slip
+};
 
 /// A scene with what is given and the tolerance asked for.
 struct StudyScene {
@@ -18,6 +28,7 @@ struct StudyScene {
   Prescribed given;
   double tolerance;
   StudyKind kind;
+  Formulation formulation = Formulation::corrected;
 };
 
 /// The scene of that number.
