@@ -530,11 +530,13 @@ std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   for (const ProfileColumn& c : columns)
     text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");
   if (absolute(0, units)) text += ",absolute_temperature_celsius";
+  if (x.friction.size() > 0) text += ",friction";
   for (Eigen::Index i = 0; i < x.s.size(); ++i) {
     text += '\n' + shortest(x.s(i)) + (units ? ',' + shortest(x.s(i) * unit.length) : "");
     for (const ProfileColumn& c : columns)
       text += ',' + shortest(c.values(i)) + (units ? ',' + shortest(c.values(i) * c.unit) : "");
     if (const auto whole = absolute(x.temperature(i), units)) text += ',' + shortest(*whole);
+    if (x.friction.size() > 0) text += ',' + shortest(x.friction(i));
   }
   return text + '\n';
 }

@@ -238,6 +238,11 @@ void share_heat_flux(const Solution& x, Profile& y) {
   y.heat_flux_2 = y.heat_flux - y.heat_flux_1;
 }
 
+void add_friction(const Scene& scene, Profile& y) {
+  y.friction = y.temperature;
+  for (double& at : y.friction) at = scene.friction * scene.law(at).value;
+}
+
 void require_profile(const Solution& x) {
   if (std::holds_alternative<PublishedSolution>(x.found))
     throw std::invalid_argument(
@@ -247,6 +252,7 @@ void require_profile(const Solution& x) {
 
 Profile finished(const Solution& x, Profile y) {
   if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
+  if (x.scene.law) add_friction(x.scene, y);
   if (x.scene.direction == Direction::braking) {
     y.traction *= -1;
     y.slip *= -1;

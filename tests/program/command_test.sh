@@ -335,6 +335,18 @@ ProfileOfTwoBodies() {
     fail "$(cat p.csv)"
 }
 
+# A law of friction has its local coefficient behind all other columns.
+ProfileOfALawOfFriction() {
+  local law=(--friction-law linear --friction-temperature)
+  answers solve --friction 0.6 --creep 0.1 --peclet 100 "${law[@]}" 0.02 --profile p.csv
+  [ "$(head -1 p.csv)" = s,pressure,traction,slip,heat_flux,temperature,friction ] || fail "$(head -1 p.csv)"
+  awk -F, 'NR > 1 && ($7 - 0.6 * (1 - $6 / 0.02))^2 > 1e-30 { exit 1 } { least = NR == 2 || $7 < least ? $7 : least }
+    END { exit !(NR > 30 && least < 0.5) }' p.csv || fail "$(cat p.csv)"
+  answers solve "${steel[@]}" --half-width 5.5e-3 --bulk-temperature 20 "${law[@]}" 1600 --profile p.csv --profile-points 9
+  head -1 p.csv | grep -q ',temperature,temperature_celsius,absolute_temperature_celsius,friction$' || fail "$(head -1 p.csv)"
+  awk -F, 'NR > 1 && ($14 - 0.6 * (1 - $12 / 1600))^2 > 1e-24 { exit 1 }' p.csv || fail "$(cat p.csv)"
+}
+
 ProfileAndResultOrNeither() {
   local profile=(--profile p.csv)
   refuses 2 "gauss-chebyshev has no profile" solve "${paper_scene[@]}" --method gauss-chebyshev "${profile[@]}"
