@@ -511,6 +511,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   set_sizes(y.value, si, x.value(load_ratio));
   y.notes = beyond_the_model(y.value, si, x.scene.friction);
+  y.heat_unit = unit.heat_flux * si.half_width;
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
   if (!x.error) return y;

@@ -1890,7 +1890,7 @@ LawTellsItsScene() {
   law_in c law.c "${scene[@]}"
   answers solve "${scene[@]}" --creep 0.1 --format json
   local key
-  for key in friction peclet heating formulation conductivity_ratio heating_2 peclet_2 bulk_difference friction_law \
+  for key in friction peclet heating formulation roller conductivity_ratio heating_2 peclet_2 bulk_difference friction_law \
     friction_temperature friction_floor friction_reference_temperature; do
     [ "$(value $key)" ] && grep -q "^ *\"$key\": \"\{0,1\}$(value $key)\"\{0,1\},$" law.json || fail "$key: $(head -12 law.json)"
     grep -q "^//   $key = \"\{0,1\}$(value $key)\"\{0,1\}$" law.c || fail "$key: $(head -12 law.c)"
@@ -1899,6 +1899,7 @@ LawTellsItsScene() {
   grep -qx "// In SI units: speed = 22.2 m/s, load = 1.2e+07 N/m." law.c || fail "$(head -12 law.c)"
   grep -qx "// Strains are small up to a creep of 0.1 only." law.c || fail "$(head -12 law.c)"
   law_in json law.json "${wheel[@]}" --tolerance 1e-2
+  grep -qx ' "roller": "insulated",' law.json || fail "$(head -12 law.json)"
   ! grep -q "friction_law\|conductivity_ratio\|bulk_temperature" law.json || fail "what is not there: $(head -12 law.json)"
   grep -qx ' "speed": 22.2,' law.json || fail "$(head -12 law.json)"
   law_in c law.c "${wheel[@]}" --bulk-temperature 20 --tolerance 1e-2
