@@ -151,7 +151,7 @@ sources := $(wildcard src/*/*.?pp src/*/*/*.?pp src/include/*.h)
 live_sources := $(filter-out src/studies/% src/program/% src/bench/% src/c/% %.h,$(sources)) $(wildcard src/program/live/*.?pp)
 live_scripts := src/program/live/engine.js src/program/live/page.js
 figures := $(filter-out style,$(patsubst figures/%.gp,%,$(wildcard figures/*.gp)))
-tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials hot-steel contact-cases reference-values no-slip
+tables := claims resolution coincident bands iteration-steps random-scenes stated-errors survival materials deflation hot-steel contact-cases reference-values no-slip
 
 # Those that take longest come first, lest one is alone at the end.
 data_files := build/data/survival.csv build/data/values.json \

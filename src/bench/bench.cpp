@@ -201,13 +201,23 @@ void name_friction_law(const Scene& alone) {
         {"friction_law/creep", three(Quantity::creep, 0.05, 0.1, 0.2)},
         {"friction_law/traction", pulls}})
     name_extension(what, scene, solve_of(scene, given), given);
-  const Solve curve = [scene] {
-    for (int times = 0; times < 3; ++times) {
-      const CreepLaw law = creep_law(scene, sign, 1e-4, {0, 1});
-      for (int i = 1; i <= 100; ++i) benchmark::DoNotOptimize(evaluate(law, 0.01 * i));
-    }
+  const auto curve = [scene](double from) -> Solve {
+    return [=] {
+      for (int times = 0; times < 3; ++times) {
+        const CreepLaw law = creep_law(scene, sign, 1e-4, {from, 1});
+        for (int i = 1; i <= 100; ++i)
+          benchmark::DoNotOptimize(evaluate(law, from + (1 - from) * 0.01 * i));
+      }
+    };
   };
-  name_extension("friction_law/curve:100", scene, curve, pulls);
+  name_extension("friction_law/curve:100", scene, curve(0), pulls);
+  name_extension("friction_law/curve_both:100", scene, curve(-1), pulls);
+}
+
+void law_evaluate(benchmark::State& state) {
+  const CreepLaw law = creep_law(steel, sign, 1e-4);
+  int i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(law, 0.02 * (++i % 101) - 1));
 }
 
 std::string processor() {
@@ -240,6 +250,7 @@ int main(int argc, char** argv) {
                                    {"part/hottest", &part_hottest}})
     benchmark::RegisterBenchmark(name, part)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("carter", carters_problem)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("law/evaluate", law_evaluate);
   add_context();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

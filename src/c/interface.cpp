@@ -340,7 +340,7 @@ void for_each_row(std::size_t count, int threads, const Work& work) {
   for (std::thread& thread : others) thread.join();
 }
 
-void copy(const Profile& from, thermoroll_point* to) {
+void copy(const Profile& from, double friction, thermoroll_point* to) {
   const bool shared = from.heat_flux_1.size() > 0;
   for (Eigen::Index k = 0; k < from.s.size(); ++k)
     to[k] = {sizeof *to,
@@ -354,7 +354,8 @@ void copy(const Profile& from, thermoroll_point* to) {
              shared ? from.heat_flux_1(k) : from.heat_flux(k),
              shared ? from.heat_flux_2(k) : 0,
              0,
-             std::nan("")};
+             std::nan(""),
+             from.friction.size() > 0 ? from.friction(k) : friction};
 }
 
 thermoroll_result along_contact(const thermoroll_scene& scene, thermoroll_point* points,
@@ -368,7 +369,7 @@ thermoroll_result along_contact(const thermoroll_scene& scene, thermoroll_point*
                   0)
                      .all());
   const thermoroll_result told = result_of(x);
-  copy(found, points);
+  copy(found, x.solution.scene.friction, points);
   return told;
 }
 
@@ -388,7 +389,8 @@ std::vector<CurvePoint> temperatures_of(const Solution& x, const thermoroll_poin
 
 thermoroll_point empty_point(double s, double depth) {
   const double none = std::nan("");
-  return {sizeof(thermoroll_point), 0, s, none, none, none, none, none, none, none, depth, none};
+  constexpr std::uint32_t size = sizeof(thermoroll_point);
+  return {size, 0, s, none, none, none, none, none, none, none, depth, none, none};
 }
 
 thermoroll_result where_given(const thermoroll_scene& scene, thermoroll_point* points,

@@ -63,7 +63,7 @@ module thermoroll
   type, bind(c) :: thermoroll_point
     integer(c_int32_t) :: size, status
     real(c_double) :: s, pressure, traction, slip, heat_flux, temperature, heat_flux_1, heat_flux_2
-    real(c_double) :: depth, temperature_error
+    real(c_double) :: depth, temperature_error, friction
   end type
   type, bind(c) :: thermoroll_law_info
     integer(c_int32_t) :: size, status

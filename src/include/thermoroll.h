@@ -160,6 +160,7 @@ struct thermoroll_point {
   double heat_flux_1, heat_flux_2;  ///< into the half-space; into the roller
   double depth;                     ///< y / a in the half-space: 0 along the contact; any >= 0
   double temperature_error;         ///< estimated, absolute, of places as given; else NaN
+  double friction;                  ///< the coefficient at T*: f, or that of a law
 };
 
 /// The law of all creeps of a scene.

@@ -41,14 +41,6 @@ constexpr Row<PhysicalResults> physical_rows[] = {
     {"tangential_load", "Q", "N/m", &PhysicalResults::tangential_load},
     {"max_temperature_at_m", "x", "m", &PhysicalResults::max_temperature_at_m}};
 
-RollerKind kind_of(const Scene& scene) {
-  const Roller& roller = scene.roller;
-  if (roller.conductivity_ratio == 0) return RollerKind::insulated;
-  const bool alike =
-      roller.conductivity_ratio == 1 && roller.heating == scene.heating && roller.peclet == 0;
-  return alike ? RollerKind::identical : RollerKind::conducting;
-}
-
 /// Values by their keys, which are constants, in the order in which the keys are first set. A new
 /// key makes references to older values invalid.
 struct Object {
@@ -383,6 +375,20 @@ void add_physical(Table& table, const FoundInSi& physical) {
     if (found) add_row(table, {name, "", found->value, found->error, 6, unit});
 }
 
+void add_heats(Table& table, const json& o, const std::optional<FoundInSi>& physical) {
+  const double unit = physical ? physical->heat_unit : 1;
+  const bool sized = physical && physical->error;
+  const double of_size = sized ? 2 * physical->error->half_width / physical->value.half_width : 0;
+  const json& errors = o["error_estimate"];
+  for (const char* name : {"heat_1", "heat_2"}) {
+    const double heat = unit * o[name].get<double>();
+    const double own = errors.is_null() ? 0 : errors[name].get<double>();
+    const int significant = physical || errors.is_null() ? 6 : 9;
+    add_row(table, {name, "", heat, unit * own + of_size * std::abs(heat), significant,
+                    physical ? "W/m" : ""});
+  }
+}
+
 std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical) {
   Table table{{"quantity", "symbol", "value", "error", "unit"}};
   const json o = to_json(x, physical);
@@ -429,6 +435,7 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
   }
   for (const char* key : {"friction_min", "traction_limit", "creep_at_traction_limit"})
     if (!o[key].is_null()) add_row(table, {key, "", o[key], o["error_estimate"][key], 9, ""});
+  if (!insulated) add_heats(table, o, physical);
   if (physical) add_physical(table, *physical);
   if (x.approach.method == Method::gauss_chebyshev)
     for (const char* name : {"nodes", "outer_iterations", "inner_iterations", "converged"})
@@ -453,6 +460,13 @@ json claims_json(const Table& table) {
 
 }  // namespace
 
+RollerKind kind_of(const Scene& scene) {
+  const Roller& roller = scene.roller;
+  if (roller.conductivity_ratio == 0) return RollerKind::insulated;
+  const bool alike =
+      roller.conductivity_ratio == 1 && roller.heating == scene.heating && roller.peclet == 0;
+  return alike ? RollerKind::identical : RollerKind::conducting;
+}
 ColumnMeaning meaning_of(const std::string& column) {
   const std::string name = column.substr(column.rfind('.') + 1);
   const bool physical = column.find("physical.") == 0, error = name != column && !physical;
@@ -530,11 +544,13 @@ std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   for (const ProfileColumn& c : columns)
     text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");
   if (absolute(0, units)) text += ",absolute_temperature_celsius";
+  if (x.friction.size() > 0) text += ",friction";
   for (Eigen::Index i = 0; i < x.s.size(); ++i) {
     text += '\n' + shortest(x.s(i)) + (units ? ',' + shortest(x.s(i) * unit.length) : "");
     for (const ProfileColumn& c : columns)
       text += ',' + shortest(c.values(i)) + (units ? ',' + shortest(c.values(i) * c.unit) : "");
     if (const auto whole = absolute(x.temperature(i), units)) text += ',' + shortest(*whole);
+    if (x.friction.size() > 0) text += ',' + shortest(x.friction(i));
   }
   return text + '\n';
 }

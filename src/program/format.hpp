@@ -11,6 +11,9 @@
 
 namespace thermoroll {
 
+/// What the user names the roller of a scene: identical if all of its constants are the same.
+RollerKind kind_of(const Scene& scene);
+
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
 std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format);
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "program/format.hpp"
 #include "support/number_text.hpp"
 
 namespace thermoroll {
@@ -118,6 +119,7 @@ std::vector<LawTable> all_tables_of(const CreepLawBySpeed& law) {
 nlohmann::ordered_json scene_of_law(const Scene& x, Formulation formulation) {
   nlohmann::ordered_json o{{"friction", x.friction}, {"peclet", x.peclet}, {"heating", x.heating}};
   o["formulation"] = name_of(formulation_names, formulation);
+  o["roller"] = name_of(roller_names, kind_of(x));
   if (x.roller.conductivity_ratio > 0) {
     o["conductivity_ratio"] = x.roller.conductivity_ratio;
     o["heating_2"] = x.roller.heating;

@@ -256,6 +256,11 @@ void share_heat_flux(const Solution& x, Profile& y) {
   y.heat_flux_2 = y.heat_flux - y.heat_flux_1;
 }
 
+void add_friction(const Scene& scene, Profile& y) {
+  y.friction = y.temperature;
+  for (double& at : y.friction) at = scene.friction * scene.law(at).value;
+}
+
 void require_profile(const Solution& x) {
   if (std::holds_alternative<PublishedSolution>(x.found))
     throw std::invalid_argument(
@@ -265,6 +270,7 @@ void require_profile(const Solution& x) {
 
 Profile finished(const Solution& x, Profile y) {
   if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
+  if (x.scene.law) add_friction(x.scene, y);
   if (x.scene.direction == Direction::braking) {
     y.traction *= -1;
     y.slip *= -1;
@@ -523,6 +529,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   set_sizes(y.value, si, x.value(load_ratio));
   y.notes = beyond_the_model(y.value, si, x.scene.friction);
+  y.heat_unit = unit.heat_flux * si.half_width;
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
   if (!x.error) return y;

@@ -7,6 +7,7 @@
 #include "solver/least_model.hpp"
 #include "studies/comparison.hpp"
 #include "studies/data.hpp"
+#include "studies/deflation.hpp"
 #include "studies/iterations.hpp"
 #include "studies/materials.hpp"
 #include "studies/paper_scene.hpp"
@@ -113,6 +114,62 @@ Ends ends_of_random_starts() {
   return ends;
 }
 
+constexpr int deflated_starts = 6, deflated_unknowns = 24;
+
+/// The tractions of the contacts that are found at a border; and how many solutions are none.
+struct Deflated {
+  std::vector<double> contacts;
+  int others = 0;
+};
+
+Deflated deflated(const Scene& scene, Formulation formulation, double c0, std::uint64_t seed) {
+  const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, deflated_unknowns);
+  Deflated found;
+  for (const auto& h : distinct_solutions(grid, deflated_starts, {std::mt19937_64(seed)})) {
+    if (violations(factors(grid, h)).empty())
+      found.contacts.push_back(resultants(grid, h).traction);
+    else
+      ++found.others;
+  }
+  return found;
+}
+
+void count_contacts(std::ostream& out, const char* friction, double sign) {
+  std::vector<Sample> scenes = hottest_scenes(unique_count);
+  Random random{std::mt19937_64(20150708)};
+  for (auto& [x, q, formulation] : scenes) {
+    const double scale = x.friction / (random.log_uniform(0.3, 6) * std::sqrt(x.peclet));
+    if (sign != 0) x.law = linear_friction({sign * scale});
+  }
+  std::vector<Deflated> found(scenes.size());
+  on_all_processors(scenes.size(), [&](std::size_t i) {
+    const auto& [x, q, formulation] = scenes[i];
+    found[i] = deflated(x, formulation, carter(x.friction, q).c0, i);
+  });
+  int with[3] = {0, 0, 0}, others = 0;
+  for (const Deflated& x : found) {
+    ++with[std::min<std::size_t>(x.contacts.size(), 2)];
+    others += x.others;
+  }
+  row(out, friction, scenes.size(), with[0], with[1], with[2], others);
+}
+
+void contacts_at_one_border(std::ostream& out) {
+  row(out, "friction", "scenes", "none found", "one", "two or more", "no contacts");
+  count_contacts(out, "constant", 0);
+  count_contacts(out, "falls", 1);
+  count_contacts(out, "rises", -1);
+}
+
+const FigureData deflation_data{"deflation", contacts_at_one_border};
+
+std::string pair_at_one_border() {
+  Scene rises{0.4, 0.1, 0};
+  rises.law = linear_friction({-0.45});
+  const Deflated found = deflated(rises, Formulation::corrected, 0, 0);
+  return fixed(found.contacts.at(0), 4) + " and " + fixed(found.contacts.at(1), 4);
+}
+
 }  // namespace
 
 void values_on_what_heat_can_do(nlohmann::ordered_json& v) {
@@ -137,6 +194,9 @@ void values_on_what_heat_can_do(nlohmann::ordered_json& v) {
   v["heat_unknowns"] = std::to_string(heat_unknowns);
   v["heat_tries"] = std::to_string(unique_count * starts);
   v["heat_arrived"] = std::to_string(ends.known);
+  v["heat_deflated_starts"] = std::to_string(deflated_starts);
+  v["heat_deflated_unknowns"] = std::to_string(deflated_unknowns);
+  v["heat_pair"] = pair_at_one_border();
   v["heat_other"] = ends.other == 0 ? "none" : std::to_string(ends.other);
 }
 

@@ -8,13 +8,13 @@ bench=$2 program=$3 study=$4 count=$5
 NamesAreThoseOfTheReport() {
   "$bench" --benchmark_list_tests | sed "s|/repeats:1$||" >"$work/names"
   local name
-  for name in closed_form temperature_curve/points:400 \
+  for name in closed_form law/evaluate temperature_curve/points:400 \
     gauss_chebyshev{,_thrifty,_moments}/n:{25,200,800}/Pe:{100,4360}/H:0.0175 \
     gauss_chebyshev{,_thrifty,_moments}/n:200/Pe:100/H:1 \
     graded_panels/n:{25,200,400}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1} \
     coupled/tol:{0.01,1e-06,1e-08}/Pe:{100/H:0.0175,4360/H:0.0175,100/H:1} \
     {identical/tau:{0,-1},unlike/{share,bulk_difference}}/Pe:{100/H:1,4360/H:0.0175} \
-    friction_law/{border,creep,traction,curve:100}/Pe:{100/H:1,4360/H:0.0175}; do
+    friction_law/{border,creep,traction,curve:100,curve_both:100}/Pe:{100/H:1,4360/H:0.0175}; do
     grep -qxF "$name" "$work/names" || fail "no benchmark $name"
   done
   [ -z "$(sort "$work/names" | uniq -d)" ] || fail "named twice: $(sort "$work/names" | uniq -d)"

@@ -91,7 +91,7 @@ program all
   points(1)%size = int(c_sizeof(points(1)))
   if (thermoroll_profile(scene, result, points, 3_c_size_t) /= 0 .or. points(3)%status /= 0) stop 6
   if (points(1)%s /= -1 .or. points(3)%s /= 1 .or. points(2)%traction <= 0) stop 7
-  if (abs(result%value%traction - 0.273335d0) > 1d-3) stop 8
+  if (abs(result%value%traction - 0.273335d0) > 1d-3 .or. points(2)%friction /= 0.6d0) stop 8
   scene%places = thermoroll_as_given
   points%s = [0d0, 1.5d0, 1.5d0]
   points%depth = [0d0, 0d0, 0.01d0]

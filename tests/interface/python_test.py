@@ -121,6 +121,8 @@ def ProfileIsThatOfTheProgram(program):
         found = thermoroll.profile(**scene, points=21)
         for name in expected.dtype.names:
             np.testing.assert_allclose(getattr(found, name), expected[name], rtol=4e-16, err_msg=name)
+        assert ("friction" in expected.dtype.names) == ("friction_law" in scene)
+        assert "friction_law" in scene or (found.friction == scene["friction"]).all()
         assert ("x_m" in expected.dtype.names) == (found.x_m is not None) == ("load" in scene)
         assert found.solution.traction == thermoroll.solve(**scene).traction
         if scene.get("roller", "insulated") == "insulated":

@@ -149,7 +149,7 @@ TEST(Interface, StructuresAreFixed) {
   EXPECT_EQ(sizeof(thermoroll_result), 1016U);
   EXPECT_EQ(offsetof(thermoroll_result, unit), 512U);
   EXPECT_EQ(offsetof(thermoroll_result, notes), 760U);
-  EXPECT_EQ(sizeof(thermoroll_point), 88U);
+  EXPECT_EQ(sizeof(thermoroll_point), 96U);
   EXPECT_EQ(offsetof(thermoroll_point, depth), 72U);
   EXPECT_EQ(offsetof(thermoroll_result, value), 16U);
   EXPECT_EQ(offsetof(thermoroll_result, error), 136U);
@@ -622,6 +622,7 @@ TEST(Interface, ProfileIsThatOfTheLibrary) {
       EXPECT_EQ(y.temperature, x.temperature(k));
       EXPECT_EQ(y.heat_flux_1, insulated ? x.heat_flux(k) : x.heat_flux_1(k));
       EXPECT_EQ(y.heat_flux_2, insulated ? 0 : x.heat_flux_2(k));
+      EXPECT_EQ(y.friction, scene.friction_law == THERMOROLL_CONSTANT ? 0.6 : x.friction(k));
     }
   }
 }
@@ -658,7 +659,7 @@ TEST(Interface, TemperaturesAreThoseOfTheLibrary) {
       EXPECT_EQ(std::isnan(y.temperature_error), scheme);
       EXPECT_TRUE(scheme || std::abs(y.temperature_error - *alone.error) <= 0.5 * *alone.error)
           << k;
-      EXPECT_TRUE(std::isnan(y.pressure) && std::isnan(y.heat_flux_2));
+      EXPECT_TRUE(std::isnan(y.pressure) && std::isnan(y.heat_flux_2) && std::isnan(y.friction));
     }
     EXPECT_EQ(points[2].temperature, points[7].temperature);
     EXPECT_TRUE(scheme || points[5].temperature < points[1].temperature);

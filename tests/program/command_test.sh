@@ -335,6 +335,18 @@ ProfileOfTwoBodies() {
     fail "$(cat p.csv)"
 }
 
+# A law of friction has its local coefficient behind all other columns.
+ProfileOfALawOfFriction() {
+  local law=(--friction-law linear --friction-temperature)
+  answers solve --friction 0.6 --creep 0.1 --peclet 100 "${law[@]}" 0.02 --profile p.csv
+  [ "$(head -1 p.csv)" = s,pressure,traction,slip,heat_flux,temperature,friction ] || fail "$(head -1 p.csv)"
+  awk -F, 'NR > 1 && ($7 - 0.6 * (1 - $6 / 0.02))^2 > 1e-30 { exit 1 } { least = NR == 2 || $7 < least ? $7 : least }
+    END { exit !(NR > 30 && least < 0.5) }' p.csv || fail "$(cat p.csv)"
+  answers solve "${steel[@]}" --half-width 5.5e-3 --bulk-temperature 20 "${law[@]}" 1600 --profile p.csv --profile-points 9
+  head -1 p.csv | grep -q ',temperature,temperature_celsius,absolute_temperature_celsius,friction$' || fail "$(head -1 p.csv)"
+  awk -F, 'NR > 1 && ($14 - 0.6 * (1 - $12 / 1600))^2 > 1e-24 { exit 1 }' p.csv || fail "$(cat p.csv)"
+}
+
 ProfileAndResultOrNeither() {
   local profile=(--profile p.csv)
   refuses 2 "gauss-chebyshev has no profile" solve "${paper_scene[@]}" --method gauss-chebyshev "${profile[@]}"
@@ -1878,7 +1890,7 @@ LawTellsItsScene() {
   law_in c law.c "${scene[@]}"
   answers solve "${scene[@]}" --creep 0.1 --format json
   local key
-  for key in friction peclet heating formulation conductivity_ratio heating_2 peclet_2 bulk_difference friction_law \
+  for key in friction peclet heating formulation roller conductivity_ratio heating_2 peclet_2 bulk_difference friction_law \
     friction_temperature friction_floor friction_reference_temperature; do
     [ "$(value $key)" ] && grep -q "^ *\"$key\": \"\{0,1\}$(value $key)\"\{0,1\},$" law.json || fail "$key: $(head -12 law.json)"
     grep -q "^//   $key = \"\{0,1\}$(value $key)\"\{0,1\}$" law.c || fail "$key: $(head -12 law.c)"
@@ -1887,6 +1899,7 @@ LawTellsItsScene() {
   grep -qx "// In SI units: speed = 22.2 m/s, load = 1.2e+07 N/m." law.c || fail "$(head -12 law.c)"
   grep -qx "// Strains are small up to a creep of 0.1 only." law.c || fail "$(head -12 law.c)"
   law_in json law.json "${wheel[@]}" --tolerance 1e-2
+  grep -qx ' "roller": "insulated",' law.json || fail "$(head -12 law.json)"
   ! grep -q "friction_law\|conductivity_ratio\|bulk_temperature" law.json || fail "what is not there: $(head -12 law.json)"
   grep -qx ' "speed": 22.2,' law.json || fail "$(head -12 law.json)"
   law_in c law.c "${wheel[@]}" --bulk-temperature 20 --tolerance 1e-2

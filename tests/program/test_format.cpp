@@ -79,6 +79,32 @@ TEST(Output, TextHasTheErrorsOfTheSolution) {
   expect_error("max_temperature_celsius", 3, si.error->max_temperature_celsius);
 }
 
+// Of two bodies the text has the heat into either: W/m in SI units, where both add up to the power
+// that friction turns into heat. Six digits of the larger part leave 1e-5 of the sum. An error is
+// rounded by a third at most, and with a radius has twice that of the half-width.
+TEST(Output, TextHasTheHeatOfBothBodies) {
+  PhysicalScene c = wheel_on_rail();
+  c.expansion_2 = 1.6e-5;
+  c.conductivity_2 = 20;
+  const Solution x = thermoroll::solve(scene_of(c, 0.6), {Quantity::traction, 0.5});
+  const auto heat = [&](const std::optional<FoundInSi>& si, const char* name, std::size_t column) {
+    return std::stod(line_of(present(x, si, Format::text), name).at(column));
+  };
+  for (const bool from_radius : {false, true}) {
+    const FoundInSi si = in_si_units(x, c, from_radius);
+    const double all = si.value.dissipation;
+    EXPECT_NEAR(heat(si, "heat_1", 1) + heat(si, "heat_2", 1), all, 1e-5 * all);
+    EXPECT_GT(heat(si, "heat_1", 1), heat(si, "heat_2", 1));
+    EXPECT_EQ(line_of(present(x, si, Format::text), "heat_2").back(), "W/m");
+    const double share = heat(si, "heat_1", 1) / all;
+    EXPECT_NEAR(heat(si, "heat_1", 2) / (share * si.error->dissipation), 1, 0.34);
+  }
+  const double all = x.value(Quantity::heat_integral);
+  EXPECT_NEAR(heat({}, "heat_1", 1) + heat({}, "heat_2", 1), all, 1e-8 * all);
+  EXPECT_EQ(line_of(present(x, {}, Format::text), "heat_1").size(), 3U);
+  EXPECT_TRUE(line_of(present(solve(scene), {}, Format::text), "heat_1").empty());
+}
+
 // Where the program chose the model, it says which and why; where the user did, that is no news.
 TEST(Output, TextTellsTheChosenModelAndWhy) {
   const Solution x = solve(scene);

@@ -373,6 +373,36 @@ TEST(Coupled, ThermalSidesAgainstAdaptiveQuadrature) {
     }
 }
 
+// Jaeger and Ciavarella: where both bodies are of one material, the traction is f times the
+// pressure less that of a smaller contact of the same curvature, which is the stick zone. In
+// rolling both have the leading edge in common. The smaller one has the share b of the half-width
+// and b^2 of the load, and Q is f times the rest. So it is where the temperature is frozen, by a
+// law that does not know it. The sums of a grid are exact to some hundred roundings; next to an end
+// of a zone what is a root of the distance there answers to the rounding of s, or of the border.
+TEST(Coupled, TractionIsThePressureLessThatOfTheStickZoneAlone) {
+  const auto hertz = [](double s, double half_width) {
+    return 2 / thermoroll::pi * std::sqrt(std::max(0.0, (1 + s) * (2 * half_width - 1 - s)));
+  };
+  for (const double frozen : {1.0, 0.7})
+    for (const double share : {0.02, 0.4, 0.9})
+      for (const double peclet : {1.0, 4360.0}) {
+        thermoroll::Scene scene{0.6, peclet, 0};
+        if (frozen < 1) scene.law = [=](double) { return thermoroll::RelativeFriction{frozen, 0}; };
+        const double f = frozen * scene.friction;
+        const CoupledSolution x = thermoroll::solve_coupled(
+            scene, {Formulation::corrected, 1e-9}, {Quantity::traction, f * (1 - share * share)});
+        const double border = x.value(Quantity::stick_slip_border), b = (1 + border) / 2;
+        EXPECT_NEAR(b, share, 1e-9);
+        const Profile y = thermoroll::profile(x);
+        for (Index i = 0; i < y.s.size(); ++i) {
+          const double s = y.s(i);
+          const Real end = 1e-13L + epsilon / std::sqrt(1 - std::abs(s));
+          const Real edge = end + 10 * epsilon / std::sqrt(std::abs(s - border));
+          EXPECT_TRUE(close(y.traction(i), f * (hertz(s, 1) - hertz(s, b)), edge)) << b << ' ' << s;
+        }
+      }
+}
+
 // Hertz and Carter, to a few hundred roundings; all quantities are of order one or below.
 TEST(Coupled, WithoutHeatItIsTheClosedForm) {
   for (const double f : {0.05, 0.6, 1.0})

@@ -164,6 +164,45 @@ TEST(FullSlip, BrakingIsDrivingWithTheBodiesExchanged) {
   EXPECT_GT(std::abs(z.value(Quantity::load_ratio) - x.value(Quantity::load_ratio)), 1e-3);
 }
 
+// The largest T* sqrt(Pe) that is left of the flux g at Pe -> infinity, of heat that only goes
+// downstream: the integral of g / sqrt(s - t) over sqrt(2 pi). Without heat v* is linear in s. At
+// the maximum the slope is zero, so that a golden section leaves the square of its interval.
+double fast_limit(double f, double creep) {
+  const auto at = [&](double s) {
+    return static_cast<double>(
+        reference::integral(
+            [&](reference::Real left, reference::Real right) {
+              const reference::Real t = left - 1, p = std::sqrt(left * (2 - left));
+              return 2 / reference::pi * p * (creep + 2 * f / reference::pi * t) / std::sqrt(right);
+            },
+            1 + s) /
+        std::sqrt(2 * reference::pi));
+  };
+  double low = 0, high = 1;
+  while (high - low > 1e-7) {
+    const double a = high - 0.618034 * (high - low), b = low + 0.618034 * (high - low);
+    (at(a) < at(b) ? low : high) = at(a) < at(b) ? a : b;
+  }
+  return at(low);
+}
+
+// The distance from the limit falls with Pe^2, as its first term, of 1 / Pe, is the slope of the
+// limit along s, and that is zero at the maximum. The next term is of Pe^3. It changes the observed
+// order by about its share, and what two successive extrapolations differ by is seven times that of
+// the finer one.
+TEST(FullSlip, LargestTemperatureTendsToTheFastLimitWithThePecletNumberSquared) {
+  for (const double creep : {0.5, 1.0, 10.0}) {
+    const auto at = [&](double peclet) {
+      return std::sqrt(peclet) *
+             slipping({0.6, peclet, 0}, creep, 1e-11).value(Quantity::max_temperature);
+    };
+    const double a = at(50), b = at(100), c = at(200);
+    EXPECT_NEAR(std::log2((b - a) / (c - b)), 2, 0.04) << creep;
+    const double before = b + (b - a) / 3, extrapolated = c + (c - b) / 3;
+    EXPECT_NEAR(extrapolated, fast_limit(0.6, creep), std::abs(extrapolated - before)) << creep;
+  }
+}
+
 // Fast sliding: P_H / P = 1 / (1 - 4 theta^2) with tan(pi theta) = f H w, as in Johnson's sliding
 // of dissimilar cylinders. The end layers, as wide as 1 / Pe, leave an error of order Pe^-1/2.
 TEST(FullSlip, FastSlidingHasTheLoadOfDissimilarCylinders) {

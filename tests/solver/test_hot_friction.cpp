@@ -288,6 +288,22 @@ TEST(HotFriction, ConstantLawIsASmallerCoefficient) {
     }
 }
 
+// A piecewise-linear law that ends at one is constant friction, with any quantity given and through
+// full slip. Both answers are within their errors.
+TEST(HotFriction, FlatLawIsConstantFriction) {
+  for (const double reference : {0.0, 1e-3})
+    for (const Prescribed& given : {Prescribed{Quantity::traction, 0.5},
+                                    {Quantity::creep, 0.1},
+                                    {Quantity::creep, 0.7},
+                                    {Quantity::stick_slip_border, 0.3}}) {
+      const Scene scene = hot(100, 0.5, piecewise_linear_friction({0.02, 1, reference}));
+      const CoupledSolution x = solve(scene, given), y = solve({friction, 100, 0.5}, given);
+      for (int i = 0; i < thermoroll::compared; ++i)
+        EXPECT_TRUE(close(x.value[i], y.value[i], x.error[i] + y.error[i] + 1e-14)) << i;
+      EXPECT_LE(x.error.head(thermoroll::compared).maxCoeff(), 1e-8);
+    }
+}
+
 // Without distortion, Q* / f and xi* / f depend on the border, Pe and T0* / f only; and at high
 // speed on the softening number f / (T0* sqrt(Pe)), to order 1 / Pe.
 TEST(HotFriction, SofteningNumberDecides) {

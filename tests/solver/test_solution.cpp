@@ -343,6 +343,28 @@ TEST(Solution, ProfileAtPointsIsThatOfTheNodes) {
   }
 }
 
+// The local coefficient is that of the tractions: |q| = f(T) p where it slips, and less elsewhere.
+// T is off by two errors of the hottest point at most, f(T) by f / T0* times that, and p is below
+// one. The traction is a factor of the series, whose tail is below the tolerance.
+TEST(Solution, FrictionOfAProfileIsThatOfItsTractions) {
+  for (const double given : {0.1, -0.1, 0.7}) {
+    Scene hot{0.6, 100, 0.5};
+    hot.law = linear_friction({0.05});
+    const Solution x = solve(hot, {creep, given}, {.tolerance = 1e-7});
+    const double off = 0.6 / 0.05 * 2 * (*x.error)(max_temperature) + 1e-7;
+    for (const Profile& y : {profile(x), profile(x, 101)}) {
+      ASSERT_EQ(y.friction.size(), y.s.size());
+      for (Eigen::Index i = 0; i < y.s.size(); ++i) {
+        EXPECT_NEAR(y.friction(i), 0.6 * (1 - y.temperature(i) / 0.05), 1e-15);
+        const double limit = y.friction(i) * y.pressure(i), q = std::abs(y.traction(i));
+        EXPECT_LE(q, limit + off) << given << ' ' << y.s(i);
+        if (y.slip(i) != 0) EXPECT_NEAR(q, limit, off) << given << ' ' << y.s(i);
+      }
+    }
+  }
+  EXPECT_EQ(profile(solve({0.6, 100, 0.5}, {creep, 0.1})).friction.size(), 0);
+}
+
 // Nodes at a kink of a law leave rounding in the distances from the edges, and roots of these.
 TEST(Solution, ProfilesEndAtZero) {
   for (const double reference : {0.0005, 0.001, 0.002})

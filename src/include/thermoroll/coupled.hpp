@@ -208,6 +208,8 @@ struct Profile {
   /// The fluxes into the half-space and into the cylinder, which add up to heat_flux; in profile()
   /// of a Solution, empty if the cylinder is an insulator.
   Eigen::ArrayXd heat_flux_1{}, heat_flux_2{};
+  /// The local coefficient f phi(T*); in profile() of a Solution, empty if friction is constant.
+  Eigen::ArrayXd friction{};
 };
 
 /// The profiles of a solution, at the nodes of its last grid.

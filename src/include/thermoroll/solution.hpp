@@ -93,6 +93,7 @@ struct FoundInSi {
   /// The largest traction, N/m, and its creep as a fraction of the speed, if there is a maximum;
   /// of a contact of this half-width.
   std::optional<Estimate> tangential_load_limit{}, creep_ratio_at_limit{};
+  double heat_unit = 0;  ///< what one of heat_integral is, W/m
 };
 
 /// Whether a prescribed creep is xi*, or the fraction xi of the speed.

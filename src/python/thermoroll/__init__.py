@@ -57,7 +57,7 @@ _result = np.dtype(
 )
 _point = _structure(
     "size u4, status i4, s f8, pressure f8, traction f8, slip f8, heat_flux f8, temperature f8",
-    "heat_flux_1 f8, heat_flux_2 f8, depth f8, temperature_error f8",
+    "heat_flux_1 f8, heat_flux_2 f8, depth f8, temperature_error f8, friction f8",
 )
 _law_info = _structure("size u4, status i4, driving_end f8, braking_end f8, message S256")
 _law_value = _structure(
@@ -361,6 +361,7 @@ class Profile:
     temperature: NDArray  #: T*, over the bulk temperature
     heat_flux_1: NDArray  #: into the half-space
     heat_flux_2: NDArray  #: into the roller
+    friction: NDArray  #: the coefficient of friction at T*
     solution: Solution  #: the results of the scene, numbers
     x_m: NDArray | None = None  #: as above, of data in SI units
     pressure_pa: NDArray | None = None

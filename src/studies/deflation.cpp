@@ -1,0 +1,69 @@
+// Tangled from paper/18-what-heat-can-do.md; edit there.
+#include "studies/deflation.hpp"
+
+#include <algorithm>
+
+#include <Eigen/LU>
+
+namespace thermoroll {
+
+using Eigen::VectorXd;
+
+namespace {
+
+double deflated_part(const std::vector<VectorXd>& known, const VectorXd& h, const VectorXd& step) {
+  double by_step = 0;  // eta' d / eta
+  for (const VectorXd& at : known) {
+    const double apart = (h - at).squaredNorm();
+    by_step -= 2 * (h - at).dot(step) / (apart * (1 + apart));
+  }
+  return 1 / (1 - by_step);
+}
+
+VectorXd residual(const ContactGrid& grid, const VectorXd& h) {
+  const Factors at = factors(grid, h);
+  const Eigen::Index n = h.size();
+  Eigen::ArrayXd made = grid.nodes.sigma * at.pressure.tail(n) * at.slip.tail(n);
+  if (at.phi.size() > 0) made *= at.phi.tail(n);
+  return grid.rules.slip.p * h - made.matrix();
+}
+
+VectorXd newton_step(const ContactGrid& grid, const VectorXd& h) {
+  const VectorXd missing = residual(grid, h);
+  const double by = 1e-7 * h.norm();
+  Eigen::MatrixXd jacobian(h.size(), h.size());
+  for (Eigen::Index j = 0; j < h.size(); ++j)
+    jacobian.col(j) = (residual(grid, h + by * VectorXd::Unit(h.size(), j)) - missing) / by;
+  return jacobian.partialPivLu().solve(-missing);
+}
+
+bool reaches_another(const ContactGrid& grid, const std::vector<VectorXd>& known, double unit,
+                     VectorXd& h) {
+  for (int step = 0; step < 60 && h.allFinite(); ++step) {
+    const VectorXd move = newton_step(grid, h);
+    std::vector<VectorXd> in_units;
+    for (const VectorXd& at : known) in_units.push_back(at / unit);
+    const double part = deflated_part(in_units, h / unit, move / unit);
+    h += part * move;
+    const auto is_near = [&](const VectorXd& at) { return (h - at).norm() < 1e-6 * unit; };
+    if (move.norm() < 1e-9 * h.norm()) return std::none_of(known.begin(), known.end(), is_near);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<VectorXd> distinct_solutions(const ContactGrid& grid, int starts, Random random) {
+  const VectorXd carter = carter_h(grid);
+  std::vector<VectorXd> known;
+  for (int k = 0; k < starts; ++k) {
+    VectorXd flux = grid.rules.slip.p * carter;
+    for (double& at_node : flux) at_node *= k == 0 ? 1 : 10 * random.uniform();
+    const VectorXd start = to_legendre(grid.rules.slip, flux);
+    for (VectorXd h = start; reaches_another(grid, known, carter.norm(), h); h = start)
+      known.push_back(h);
+  }
+  return known;
+}
+
+}  // namespace thermoroll
