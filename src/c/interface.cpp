@@ -454,7 +454,7 @@ thermoroll_law_value value_of(const CreepLaw& law, const LawUnits& in, double gi
   const LawSide side = side_of(law, creep);
   const double grown = std::max(1.0, side.size / side.half.unit_creep);
   y.max_temperature_error = law.temperature_error * grown * in.temperature;
-  y.stick_slip_border_error = x->border == -1 ? 0 : law.border_error;
+  y.stick_slip_border_error = border_error_at(law, creep);
   return y;
 }
 

@@ -49,6 +49,15 @@ WayAlong length_along(const CreepLaw& law, const CurveRange& range, double frict
   return x;
 }
 
+void move_to_zero(std::vector<double>& points) {
+  for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+    const double apart = std::min(points[k] - points[k - 1], points[k + 1] - points[k]);
+    if (std::abs(points[k]) < 1e-4 * apart) points[k] = 0;
+  }
+}
+
+std::string unsigned_zero(double x) { return shortest(x == 0 ? 0 : x); }
+
 struct LawTable {
   const char* name;
   std::vector<double> numbers{};
@@ -466,10 +475,10 @@ std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, d
     const double wanted = way.back() * k / (range.points - 1);
     while (next + 1 < way.size() && way[next] <= wanted) ++next;
     const double share = (wanted - way[next - 1]) / (way[next] - way[next - 1]);
-    const double here = creep[next - 1] + share * (creep[next] - creep[next - 1]);
-    points.push_back(std::abs(here) < 1e-12 * (range.to - range.from) ? 0 : here);
+    points.push_back(creep[next - 1] + share * (creep[next] - creep[next - 1]));
   }
   points.push_back(range.to);
+  move_to_zero(points);
   return points;
 }
 
@@ -492,11 +501,11 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
       if (bulk) more.push_back(*units->bulk_temperature + rise);
     }
     more.push_back(law.traction_error);
-    more.push_back(full ? 0 : law.border_error);
+    more.push_back(border_error_at(law, creep));
     more.push_back(law.temperature_error * std::max(1.0, side.size / side.half.unit_creep));
-    text += shortest(creep) + ',' + shortest(x.traction) + ',' + shortest(x.border) + ',' +
-            (full ? "true" : "false") + ',' + shortest(x.temperature);
-    for (const double number : more) text += ',' + shortest(number);
+    text += unsigned_zero(creep) + ',' + unsigned_zero(x.traction) + ',' + shortest(x.border) +
+            ',' + (full ? "true" : "false") + ',' + unsigned_zero(x.temperature);
+    for (const double number : more) text += ',' + unsigned_zero(number);
     text += '\n';
   }
   return text;

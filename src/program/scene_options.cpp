@@ -263,13 +263,19 @@ void read_roller(const SceneOptions& o, PhysicalScene& si) {
   require(si.diffusivity_2 > 0, "diffusivity-2", si.diffusivity_2, "positive");
 }
 
+std::string range_without_law(const SceneOptions& o) {
+  const std::string f = shortest(o.friction.value_or(0));
+  return o.friction.value_or(0) > 0 ? "; the traction is between -" + f + " and " + f : "";
+}
+
 void check_law_options(const SceneOptions& o, bool si) {
   const std::string branch = o.branch.empty() ? "" : " --branch";
   const std::string data = those(law_options, o, true) + branch;
   const bool constant = !value_of(law_names, o.friction_law);
   if (constant && !data.empty())
     throw std::invalid_argument("constant friction has none of these:" + data +
-                                "; a --friction-law that is not constant is needed");
+                                "; a --friction-law that is not constant is needed" +
+                                (branch.empty() ? "" : range_without_law(o)));
   if (!constant && !o.friction_temperature)
     throw std::invalid_argument("--friction-law " + o.friction_law +
                                 " lacks --friction-temperature");

@@ -503,29 +503,38 @@ void refuse_near(const TractionLimit& limit, double asked, double tolerance) {
   throw NotResolved("coupled: the largest traction is not resolved to " + to, {});
 }
 
+/// Both ends are rounded inward.
+std::string range_text(double a, double b) {
+  return "between " + rounded_up(std::min(a, b), 6) + " and " + rounded_down(std::max(a, b), 6);
+}
+
 [[noreturn]] void refuse_above(const TractionLimit& limit, double asked, double sign) {
   const TractionLimit largest{sign * limit.traction, sign * limit.creep, limit.traction_error,
                               limit.creep_error};
+  const double most = below(largest);
+  const std::string bound =
+      sign > 0 ? "at most " + rounded_down(most, 6) : "at least " + rounded_up(most, 6);
   throw BeyondLimit("traction = " + shortest(sign * asked) + " is not allowed: it must be " +
-                        (sign > 0 ? "at most " : "at least ") + fixed(largest.traction, 6) +
-                        ", the largest, at the creep " + fixed(largest.creep, 6),
+                        bound + ", the largest, at the creep " + fixed(largest.creep, 6),
                     largest);
 }
 
-void refuse_beyond(const Points& points, const std::optional<TractionLimit>& limit, Branch branch,
-                   double asked, double sign) {
-  const auto must_be = [&](bool allowed, const std::string& range) {
-    require(allowed, "traction", sign * asked, range);
-  };
-  const std::string below = sign > 0 ? "below " : "above ", above = sign > 0 ? "above " : "below ";
-  const auto highest = std::max_element(points.begin(), points.end(), is_lower);
-  if (branch == Branch::falling && !is_lower(points.back(), *highest))
-    throw std::invalid_argument("branch = falling does not exist: the traction has no maximum");
+void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& limit, Branch branch,
+                   double asked) {
+  const double sign = sign_of(x.curve.scene.direction);
+  const auto highest = std::max_element(x.points.begin(), x.points.end(), is_lower);
+  const double top = highest->traction(), most = sign * (limit ? below(*limit) : 0.999 * top);
+  const double rest = asked - beyond_no_slip(x.curve.scene, {traction, asked}).value;
+  const OnCurve& last = x.points.back();
+  if (branch == Branch::falling && !is_lower(last, *highest))
+    throw std::invalid_argument(
+        "branch = falling does not exist: the traction has no maximum; it is " +
+        range_text(sign * rest, most));
   if (limit && asked > limit->traction) refuse_above(*limit, asked, sign);
-  const double most = highest->traction(), least = points.back().traction();
-  if (!limit) must_be(asked < most, below + fixed(sign * most, 4));
+  if (!limit) require(asked < top, "traction", sign * asked, range_text(sign * rest, most));
   if (branch == Branch::falling)
-    must_be(asked > least, above + fixed(sign * least, 4) + " on the falling branch");
+    require(asked > last.traction(), "traction", sign * asked,
+            range_text(sign * 1.001 * last.traction(), most) + " on the falling branch");
 }
 
 }  // namespace
@@ -544,7 +553,7 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   if (top) limit = traction_limit(fine, approach.tolerance, *top, highest.solution);
   if (limit && is_unknown_far_above(*limit, highest, asked)) limit.reset();
   if (limit) refuse_near(*limit, asked, approach.tolerance);
-  refuse_beyond(x.points, limit, branch, asked, sign_of(scene.direction));
+  refuse_beyond(x, limit, branch, asked);
   Enclosed start;
   if (limit) start = next_to_maximum(fine, *top, branch, asked, highest.solution);
   const bool near = start.solution.newton_steps > 0;
@@ -561,6 +570,12 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   found.limit = limit;
   found.branch = branch;
   return found;
+}
+
+double below(const TractionLimit& limit) {
+  const double size = std::abs(limit.traction);
+  const double less = size - std::min(size, std::max(2 * limit.traction_error, 1e-7 * size));
+  return std::copysign(less, limit.traction);
 }
 
 }  // namespace thermoroll

@@ -250,6 +250,16 @@ std::optional<double> full_slip_before(const Scene& scene, Formulation formulati
   return given.value >= from ? std::optional(from) : std::nullopt;
 }
 
+/// The end of a message; nothing unless a creep is given, and one with a contact is known.
+std::string known_limit(const Scene& scene, Formulation formulation, const Prescribed& given) {
+  if (given.quantity != creep) return "";
+  const double known = creep_of_some_stick(scene, formulation), sign = sign_of(scene.direction);
+  if (!(known > 0)) return "";
+  const char* bound = sign > 0 ? "at least " : "at most ";
+  return std::string("; the creep_limit is ") + bound +
+         (sign > 0 ? rounded_down(known, 4) : rounded_up(-known, 4));
+}
+
 /// The solution on the first grid that has a contact, or else on the finest that has a border; the
 /// derivative of all quantities with respect to the prescribed one goes to slope. No newton_steps,
 /// and the creep at which full slip begins, if the whole contact slips at the prescribed creep;
@@ -283,7 +293,7 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
         "coupled: the border is within 1e-13 of an end of the contact, too near to resolve");
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
-                             shortest(tried.at.c0()));
+                             shortest(tried.at.c0()) + known_limit(scene, formulation, given));
   if (scene.bulk_difference != 0 && given.quantity != stick_slip_border) {
     const auto n = static_cast<int>(level.h.size());
     const double step = 1e-3 * std::min(level.at.slip, level.at.stick);

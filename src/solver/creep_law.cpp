@@ -103,6 +103,16 @@ struct LawPoint {
   const LawGrid* grid = law_grids.data();
 };
 
+/// That contact is lost, or not, by a finer grid than that of x; nothing if it does not tell.
+std::optional<bool> is_lost(HalfCurve& curve, double w, const GridSolution& x) {
+  if (x.violations.empty()) return false;
+  const GridSolution fine = solution_at(curve, 212, w, x);
+  if (fine.newton_steps == 0) return std::nullopt;
+  if (fine.violations.empty()) return false;
+  const bool same = fine.violations.front().what == x.violations.front().what;
+  return same ? std::optional(true) : std::nullopt;
+}
+
 constexpr const char* not_resolved = "the solution is not resolved (a larger tolerance may go on)";
 constexpr const char* not_asked = "no more was asked for";
 constexpr const char* turns_back = "the creep turns back";
@@ -114,7 +124,9 @@ std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
     const GridSolution x = solution_at(curve, grid->n, w, last.at);
     const GridSolution y = solution_at(curve, grid->finer, w, x);
     if (!agree(curve.scene, x, y, leeway(grid->n, w) * tolerance)) continue;
-    if (!y.violations.empty()) return "contact is lost: " + y.violations.front().what;
+    const std::optional<bool> lost = is_lost(curve, w, y);
+    if (!lost) continue;
+    if (*lost) return "contact is lost: " + y.violations.front().what;
     if (x.value(Quantity::creep) <= last.at.value(Quantity::creep)) return turns_back;
     last = {w, x, grid};
     return "";
@@ -431,6 +443,12 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
                     1 - slip_length};
   }
   return LawValue{sign * q.value, unit / (size * size) * per_z * q.slope, rise * size / unit, -1};
+}
+
+double border_error_at(const CreepLaw& law, double creep) {
+  const LawSide side = side_of(law, creep);
+  const bool slips = side.size > (1 + law.border_error) * side.half.unit_creep;
+  return slips ? 0 : law.border_error;
 }
 
 LawUnits law_units(const PhysicalScene& si, double friction) {

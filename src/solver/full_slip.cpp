@@ -59,27 +59,66 @@ double creep_without_load(SlippingGrids& grids, const Followed& from) {
   return 0;
 }
 
-std::string rounded_down(double x) {
-  const int decimals = std::max(0, 6 - static_cast<int>(std::floor(std::log10(x))));
-  const double unit = std::pow(10, -decimals);
-  return fixed(std::floor(x / unit) * unit, decimals);
+constexpr int finer_unknowns = 212;
+
+/// 0 if there is none.
+double known_contact(const SlippingGrids& grids, const Followed& found) {
+  SlippingGrids finer{grids.scene, grids.formulation};
+  for (const double share : {1 - 1e-6, 0.999, 0.99, 0.9}) {
+    const double there = share * found.creep;
+    if (!(there > 0)) break;
+    if (is_contact(solve_slipping_grid(finer, finer_unknowns, there, found.contact))) return there;
+  }
+  return creep_of_some_stick(grids.scene, grids.formulation);
+}
+
+bool is_lost_beyond(SlippingGrids& grids, const Followed& found) {
+  if (!(found.creep > 0)) return false;
+  SlippingGrids finer{grids.scene, grids.formulation};
+  const double there = 1.01 * found.creep;
+  GridSolution x = solve_slipping_grid(grids, followed_unknowns, there, found.contact);
+  GridSolution y = solve_slipping_grid(finer, finer_unknowns, there, x);
+  for (GridSolution* each : {&x, &y}) forget_the_edge(*each, 1e-3);
+  return x.newton_steps > 0 && y.newton_steps > 0 && !y.violations.empty() &&
+         same_violations(x.violations, y.violations);
+}
+
+bool drives(const SlippingGrids& grids) { return grids.scene.direction == Direction::driving; }
+
+std::string signed_text(const SlippingGrids& grids, const std::string& size) {
+  return (drives(grids) ? "" : "-") + size;
+}
+
+std::string at_least(const SlippingGrids& grids, double size) {
+  return (drives(grids) ? "at least " : "at most ") + signed_text(grids, rounded_down(size, 7));
+}
+
+[[noreturn]] void refuse_beyond(const SlippingGrids& grids, double creep,
+                                const std::string& limit) {
+  const std::string asked = signed_text(grids, shortest(creep));
+  throw std::invalid_argument("creep = " + asked + " is not allowed: it must be " +
+                              (drives(grids) ? "below" : "above") + " the creep_limit of " + limit +
+                              ", where contact is lost");
+}
+
+/// By std::invalid_argument, if it is.
+void refuse_if_lost(SlippingGrids& grids, double creep, const Followed& found) {
+  double limit = 0;
+  if (found.beyond.newton_steps > 0) limit = creep_without_load(grids, found);
+  if (limit > 0) refuse_beyond(grids, creep, "about " + signed_text(grids, rounded_down(limit, 7)));
+  if (!(1.01 * found.creep < creep) || !is_lost_beyond(grids, found)) return;
+  const double known = known_contact(grids, found);
+  if (known > 0) refuse_beyond(grids, creep, at_least(grids, known));
 }
 
 /// By std::invalid_argument where contact is lost before it, else by std::runtime_error.
 [[noreturn]] void refuse_without_contact(SlippingGrids& grids, double creep,
                                          const Followed& found) {
-  const Direction direction = grids.scene.direction;
-  const std::string asked = shortest(sign_of(direction) * creep);
-  const bool driving = direction == Direction::driving;
-  double limit = 0;
-  if (found.beyond.newton_steps > 0) limit = creep_without_load(grids, found);
-  if (limit > 0)
-    throw std::invalid_argument("creep = " + asked + " is not allowed: it must be " +
-                                (driving ? "below" : "above") + " the creep_limit of about " +
-                                (driving ? "" : "-") + rounded_down(limit) +
-                                ", where contact is lost");
+  refuse_if_lost(grids, creep, found);
+  const double known = known_contact(grids, found);
+  const std::string asked = signed_text(grids, shortest(creep));
   throw std::runtime_error("coupled: no contact found in full slip at the creep " + asked +
-                           ", nor the creep at which contact is lost");
+                           (known > 0 ? "; the creep_limit is " + at_least(grids, known) : ""));
 }
 
 /// The contact that is followed to the creep, else a solution with a load; refuses a creep that has
@@ -145,14 +184,19 @@ CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, do
   const auto n = static_cast<int>(level.h.size());
   const double more = 1e-3 * creep;
   Results slope = (solve_slipping_grid(grids, n, creep + more, level).value - level.value) / more;
-  return refine(scene, approach, {Quantity::creep, creep}, level, slope,
-                [&](int finer, const GridSolution& last) {
-                  SlippingGrids once{scene, formulation};
-                  const SlipVariable by = variable_after(last, finer);
-                  GridSolution x = solve_slipping_grid(once, finer, creep, last, by);
-                  forget_the_edge(x, 0.5 * std::sqrt(approach.tolerance));
-                  return x;
-                });
+  const auto next = [&](int finer, const GridSolution& last) {
+    SlippingGrids once{scene, formulation};
+    const SlipVariable by = variable_after(last, finer);
+    GridSolution x = solve_slipping_grid(once, finer, creep, last, by);
+    forget_the_edge(x, 0.5 * std::sqrt(approach.tolerance));
+    return x;
+  };
+  try {
+    return refine(scene, approach, {Quantity::creep, creep}, level, slope, next);
+  } catch (const NotResolved&) {
+    refuse_if_lost(grids, creep, follow_contacts(grids, creep));
+    throw;
+  }
 }
 
 void refuse_undetermined_creep(const Scene& scene, Formulation formulation) {

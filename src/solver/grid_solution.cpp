@@ -285,6 +285,19 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
   return again.newton_steps > 0 ? again : level;
 }
 
+double creep_of_some_stick(const Scene& scene, Formulation formulation) {
+  double known = 0, before = 0;
+  GridSolution last;
+  for (const double slip : {0.02, 0.06, 0.1, 0.2, 0.4, 0.7, 1.0, 1.3, 1.6, 1.8, 1.9, 1.99}) {
+    last = solve_on_grid(scene, formulation, 80, {slip, 2 - slip}, last);
+    const double now = last.value(creep);
+    if (last.newton_steps == 0 || !last.violations.empty() || !(now > known)) break;
+    before = known;
+    known = now;
+  }
+  return before;
+}
+
 double unresolved(double tail, int n, bool slow, double of_integrals, double in_layer) {
   const bool early = n <= 100 && n >= 30;
   const double large = slow ? 0 : early ? 2e-4 : 1e-3;

@@ -56,6 +56,9 @@ ZoneLengths moved_by(const ZoneLengths& zones, double step);
 /// The solution of n unknowns with a nearly vanishing stick zone; no newton_steps if none is found.
 GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n);
 
+/// A creep with a stick zone and a contact, the largest but one of a few borders; 0 if none has.
+double creep_of_some_stick(const Scene& scene, Formulation formulation);
+
 /// Solve with n unknowns for the given quantity, from the border of a coarser grid or Carter's;
 /// slope, the derivative of all quantities with respect to it, is improved; only that of the
 /// temperature is if heat changes the others by less than `weak`. No newton_steps if no solution is

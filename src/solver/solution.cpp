@@ -92,6 +92,10 @@ void check_tolerance(double tolerance) {
   require(1e-11 <= tolerance && tolerance <= 1e-2, "tolerance", tolerance, "from 1e-11 to 1e-2");
 }
 
+std::string range_of_traction(double friction) {
+  return "the traction between -" + shortest(friction) + " and " + shortest(friction);
+}
+
 void check_method(const Scene& scene, const Prescribed& given, Method method) {
   const bool lesser = method == Method::closed_form || method == Method::first_order ||
                       method == Method::gauss_chebyshev;
@@ -103,7 +107,8 @@ void check_method(const Scene& scene, const Prescribed& given, Method method) {
   if (is_unlike(scene) && lesser)
     throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
   if (!scene.law && given.branch == Branch::falling)
-    throw std::invalid_argument("branch = falling is not allowed: friction is constant");
+    throw std::invalid_argument("branch = falling is not allowed: friction is constant, and " +
+                                range_of_traction(scene.friction));
 }
 
 bool is_without_slip(const Prescribed& given) {
@@ -604,8 +609,9 @@ std::string units_told(const GivenScene& c) {
 
 std::string limit_told(const GivenScene& c, const TractionLimit& limit) {
   const PhysicalScene si = with_half_width(c);
-  return " (" + rounded(limit.traction * si.load, 6) + " N/m, at the creep-ratio " +
-         rounded(limit.creep * ratio_of_creep(si), 4) + ")";
+  const double most = below(limit) * si.load;
+  return " (" + (most > 0 ? rounded_down(most, 7) : rounded_up(most, 7)) +
+         " N/m, at the creep-ratio " + rounded(limit.creep * ratio_of_creep(si), 4) + ")";
 }
 
 std::string told_in_si(const GivenScene& c, const std::invalid_argument& refusal) {

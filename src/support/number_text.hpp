@@ -8,8 +8,11 @@ namespace thermoroll {
 /// A number with as many digits as it takes to read it back unchanged, as "0.1" or "1e-300".
 std::string shortest(double value);
 
-/// A number rounded to so many digits, at most 20, as "0.1" or "1.2e+06".
+/// A number rounded to so many digits, at most 20, as "0.1" or "1.2e+06"; or rounded so that it is
+/// not above the value, or not below it.
 std::string rounded(double value, int digits);
+std::string rounded_down(double value, int digits);
+std::string rounded_up(double value, int digits);
 
 /// A number with so many digits, at most 20, and an exponent, as "2.1e-03".
 std::string with_exponent(double value, int digits);

@@ -835,7 +835,7 @@ TEST(Interface, LawIsThatOfTheLibrary) {
     EXPECT_EQ(values[k].traction_error, expected.traction_error);
     EXPECT_EQ(values[k].max_temperature_error,
               expected.temperature_error * std::max(1.0, std::abs(creeps[k]) / unit));
-    EXPECT_EQ(values[k].stick_slip_border_error, x->border == -1 ? 0 : expected.border_error);
+    EXPECT_EQ(values[k].stick_slip_border_error, thermoroll::border_error_at(expected, creeps[k]));
   }
   for (std::size_t k = 5; k < creeps.size(); ++k) {
     EXPECT_EQ(values[k].status, THERMOROLL_REFUSED);

@@ -622,6 +622,7 @@ BadLaws() {
     refuses 2 "constant friction has none of these: ${option% *}; a --friction-law that is not constant is needed" \
       solve "${scene[@]}" $option
   done
+  refuses 2 "is needed; the traction is between -0.6 and 0.6" solve "${scene[@]}" --branch falling
   refuses 2 "--friction-law rational lacks --friction-temperature" solve "${scene[@]}" --friction-law rational
   refuses 2 "friction-temperature = 0 is not allowed" solve "${scene[@]}" --friction-law linear --friction-temperature 0
   local kind floor
@@ -645,7 +646,7 @@ BadLaws() {
     refuses 2 "--branch is for a given traction: a creep or a border has one solution" \
       solve "${scene[@]:0:4}" $option "${linear[@]}" --branch falling
   done
-  refuses 2 "branch = falling does not exist: the traction has no maximum" \
+  refuses 2 "branch = falling does not exist: the traction has no maximum; it is between 0 and " \
     solve "${scene[@]}" --friction-law linear --friction-temperature -1 --branch falling
   refuses 2 "branch = falling is not allowed: without traction nothing slips" \
     solve "${scene[@]:0:4}" --traction 0 "${linear[@]}" --branch falling
@@ -2110,6 +2111,11 @@ CreepCurveHasARange() {
   [ "$(wc -l <out)" = 102 ] || fail "$(wc -l <out) rows"
   near "$(sed -n 2p out | cut -d, -f1)" "$(calculate '-6 * 0.6 / pi')" 1e-12
   near "$(tail -1 out | cut -d, -f1)" "$(calculate '6 * 0.6 / pi')" 1e-12
+  # the row next to no creep is there, and no zero has a sign
+  answers creep-curve "${hot_scene[@]}" --from -1e-6 --to 1e-6 --points 3
+  grep -q '^0,0,1,false,0,' out || fail "$(cat out)"
+  answers creep-curve "${hot_scene[@]}" --from -0.1 --to -0 --points 3
+  ! grep -q '\(^\|,\)-0\(,\|$\)' out || fail "$(cat out)"
 }
 
 CreepCurveInSiUnits() {

@@ -18,6 +18,7 @@
 
 namespace {
 
+using thermoroll::border_error_at;
 using thermoroll::CoupledSolution;
 using thermoroll::creep_law;
 using thermoroll::CreepLaw;
@@ -241,6 +242,32 @@ TEST(CreepLaw, PiecesJoin) {
       EXPECT_NEAR(x.temperature, y.temperature,
                   law.temperature_error * std::max(1.0, std::abs(creep) / unit));
     }
+  }
+}
+
+// Grids of 33 unknowns see separation at a creep of 7.9 and a tolerance of a hundredth, where finer
+// ones see none. Braking loses contact, as 480 unknowns see, too.
+TEST(CreepLaw, NoCoarseGridLosesContact) {
+  const Scene fast{0.6, 100, 1};
+  const CreepLaw law = law_of(fast, 1e-2, infinity);
+  EXPECT_EQ(law.driving.reason.find("contact is lost"), std::string::npos) << law.driving.reason;
+  ASSERT_GT(law.driving.last_creep, 8);
+  EXPECT_TRUE(solved(fast, 8, 1e-3).violations.empty());
+  EXPECT_EQ(law.braking.reason, "contact is lost: separation");
+  EXPECT_FALSE(solved(fast, -1.02 * law.braking.last_creep, 1e-3).violations.empty());
+}
+
+// Next to its onset full slip may have begun later, by as much as the border may be off.
+TEST(CreepLaw, FullSlipHasTheErrorOfItsOnset) {
+  const CreepLaw law = law_of({0.6, 100, 1}, 1e-3, 2);
+  for (const double sign : {-1.0, 1.0}) {
+    const double onset = (sign < 0 ? law.braking : law.driving).unit_creep;
+    const auto error = [&](double beyond) {
+      return border_error_at(law, sign * onset * (1 + beyond));
+    };
+    for (const double beyond : {-0.5, 1e-9, 0.5 * law.border_error})
+      EXPECT_EQ(error(beyond), law.border_error) << beyond;
+    EXPECT_EQ(error(2 * law.border_error), 0);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -258,6 +259,51 @@ TEST(FullSlip, LimitOfTheCreepHasItsSign) {
   const Scene driven{0.01, 0.01, 1e4, {1, 0}}, braked{0.01, 0.01, 0, {1, 1e4}, Direction::braking};
   const double limit = creep_limit(driven, 10);
   EXPECT_EQ(creep_limit(braked, 10), -limit);
+}
+
+// What the refusal of a creep says after some words, and the type of it.
+template <class Refusal>
+double named_after(const std::string& words, const Scene& scene, double creep) {
+  try {
+    solve(scene, Quantity::creep, creep);
+  } catch (const Refusal& refusal) {
+    const std::string message = refusal.what();
+    const std::size_t at = message.find(words);
+    if (at != std::string::npos) return std::stod(message.substr(at + words.size()));
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// Slow sliding in which both surfaces separate at an edge long before the load is lost: the creep
+// that is named has a contact, and two hundredths more has none. The contacts are followed to a
+// ten-thousandth, and 1.01 times the last is seen to have none by two grids.
+TEST(FullSlip, SeparationIsALimitOfTheCreep) {
+  const Scene driven{0.6, 1, 1}, braked{0.6, 1, 1, {}, Direction::braking};
+  for (const Scene& scene : {driven, braked}) {
+    const bool drives = scene.direction == Direction::driving;
+    const std::string words =
+        drives ? "below the creep_limit of at least " : "above the creep_limit of at most -";
+    const double named = named_after<std::invalid_argument>(words, scene, 50);
+    ASSERT_GT(named, 5) << words;
+    EXPECT_TRUE(solve(scene, Quantity::creep, named, 1e-5).violations.empty());
+    const CoupledSolution beyond = solve(scene, Quantity::creep, 1.02 * named, 1e-5);
+    ASSERT_FALSE(beyond.violations.empty());
+    EXPECT_EQ(beyond.violations.front().what, "separation");
+  }
+}
+
+// Where it is not known whether contact is lost, the creep that is named has one. Full slip begins
+// in the first scene; in the other one nothing is found next to it.
+TEST(FullSlip, WhatIsNotResolvedNamesACreepWithAContact) {
+  const Scene driven{0.6, 1, 100}, braked{0.6, 1, 30, {}, Direction::braking};
+  const double slips = named_after<std::runtime_error>(
+      "no contact found in full slip at the creep 5; the creep_limit is at least ", driven, 5);
+  const double sticks =
+      named_after<std::runtime_error>("; the creep_limit is at most -", braked, 5);
+  for (const auto& [scene, creep] : {std::pair{driven, slips}, std::pair{braked, sticks}}) {
+    ASSERT_GT(creep, 0.01);
+    EXPECT_TRUE(solve(scene, Quantity::creep, creep, 1e-5).violations.empty());
+  }
 }
 
 // Slow sliding with f H Pe w = 1: the load ratio 0.138858263385, of (-d^2/dx^2)^(1/2) p = p + 2/pi;

@@ -1118,8 +1118,8 @@ TEST(HotFriction, RefusesBeyondTheMaximum) {
   };
   for (const Branch branch : {Branch::rising, Branch::falling}) {
     EXPECT_TRUE(refused(scene, {Quantity::traction, 0.398, branch},
-                        "at most 0.397765, the largest, at the creep 0.2353"));
-    EXPECT_TRUE(refused(scene, {Quantity::traction, 0.7, branch}, "at most 0.397765"));
+                        "at most 0.397764, the largest, at the creep 0.2353"));
+    EXPECT_TRUE(refused(scene, {Quantity::traction, 0.7, branch}, "at most 0.397764"));
     EXPECT_TRUE(refused(scene, {Quantity::traction, 0, branch}, "traction = 0 "));
   }
   // The maximum is that of an answer, with its sign.
@@ -1145,6 +1145,44 @@ TEST(HotFriction, RefusesBeyondTheMaximum) {
   // Down to the floor, and no further.
   const Scene floor = hot(100, 0.0175, exponential_friction({0.01, 0.3}));
   EXPECT_TRUE(refused(floor, {Quantity::traction, 0.17, Branch::falling}, "on the falling branch"));
+}
+
+// The ends of every range that a refusal names are accepted, on either side of free rolling.
+TEST(HotFriction, RangesAreAccepted) {
+  const Scene bends = hot(100, 0.0175, linear_friction({0.02}));
+  const Scene floor = hot(100, 0.0175, exponential_friction({0.01, 0.3}));
+  const Scene rises = hot(100, 0.0175, linear_friction({-0.05}));
+  struct Row {
+    Scene scene;
+    double asked;
+    Branch branch;
+    std::vector<std::string> before;  // the words before each end
+    Branch accepted;
+  };
+  const std::vector<std::string> range{" between ", " and "};
+  for (Row row : {Row{bends, 0.398, Branch::rising, {"it must be at most "}, Branch::rising},
+                  Row{bends, 0.398, Branch::falling, {"it must be at most "}, Branch::falling},
+                  Row{floor, 0.17, Branch::falling, range, Branch::falling},
+                  Row{rises, 0.3, Branch::falling, {" and "}, Branch::rising},
+                  Row{rises, 7, Branch::rising, {" and "}, Branch::rising}})
+    for (const Direction direction : {Direction::driving, Direction::braking}) {
+      row.scene.direction = direction;
+      const bool drives = direction == Direction::driving;
+      std::string message;
+      try {
+        solve(row.scene, {Quantity::traction, row.asked, row.branch}, 1e-6);
+      } catch (const std::invalid_argument& refusal) {
+        message = refusal.what();
+      }
+      for (std::string words : row.before) {
+        if (!drives && words == "it must be at most ") words = "it must be at least ";
+        if (!drives && row.before.size() == 1 && words == " and ") words = " between ";
+        const std::size_t at = message.find(words);
+        ASSERT_NE(at, std::string::npos) << message << words;
+        const double end = std::abs(std::stod(message.substr(at + words.size())));
+        EXPECT_NO_THROW(solve(row.scene, {Quantity::traction, end, row.accepted}, 1e-6)) << message;
+      }
+    }
 }
 
 // Where the friction falls only above all temperatures it is constant, and a traction next to it

@@ -12,6 +12,8 @@
 
 using thermoroll::fixed;
 using thermoroll::rounded;
+using thermoroll::rounded_down;
+using thermoroll::rounded_up;
 using thermoroll::scientific;
 using thermoroll::shortest;
 using thermoroll::with_exponent;
@@ -64,6 +66,21 @@ TEST(NumberText, SameInEveryLocale) {
   std::locale::global(before);
   EXPECT_EQ(german, "1.234,5");
   EXPECT_EQ(found, expected);
+}
+
+// A number rounded down is not above it, one rounded up not below it, and both are within a unit of
+// the last digit.
+TEST(NumberText, RoundedToASide) {
+  for (const double x : {0.39776468, 1.0, 2e-7, 123456.7, 9.99999999, 1e12 / 3})
+    for (const double value : {x, -x}) {
+      const double low = std::stod(rounded_down(value, 4)), high = std::stod(rounded_up(value, 4));
+      const double unit = std::pow(10, std::floor(std::log10(x)) - 3);
+      EXPECT_LE(low, value);
+      EXPECT_GE(high, value);
+      EXPECT_LE(high - low, 1.001 * unit) << value;
+    }
+  EXPECT_EQ(rounded_down(0.39776468, 6) + ' ' + rounded_up(-0.39776468, 6), "0.397764 -0.397764");
+  EXPECT_EQ(rounded_up(-0.0, 6) + rounded_down(-0.0, 6), "00");
 }
 
 // In TeX a number has one digit before its point and the exponent that goes with that: mantissa and

@@ -107,6 +107,9 @@ struct TractionLimit {
   double traction, creep, traction_error, creep_error;
 };
 
+/// The traction next to it that is surely below it, in size, and is told from it.
+double below(const TractionLimit& limit);
+
 /// A prescribed traction is beyond the largest one, which has the signs of the scene.
 struct BeyondLimit : std::invalid_argument {
   BeyondLimit(const std::string& message, const TractionLimit& largest)

@@ -73,6 +73,9 @@ CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance
 /// The law at a creep of either sign; nothing beyond the end of the law. Allocates nothing.
 std::optional<LawValue> evaluate(const CreepLaw& law, double creep);
 
+/// The error of its border: border_error; zero in full slip, but for creeps next to its onset.
+double border_error_at(const CreepLaw& law, double creep);
+
 /// The SI values of one xi*, Q* and T*: a fraction of the speed, N/m and degree C; V in m/s and the
 /// bulk temperature in degree C.
 struct LawUnits {
