@@ -187,8 +187,9 @@ void tell_limit(const Scene& scene, const CoupledSolution* found, thermoroll_res
   if (found == nullptr || !found->limit) return;
   const TractionLimit& limit = *found->limit;
   to.value.traction_limit = sign_of(scene.direction) * limit.traction;
-  to.value.creep_at_traction_limit = sign_of(scene.direction) * limit.creep;
   to.error.traction_limit = limit.traction_error;
+  if (!limit.has_creep()) return;
+  to.value.creep_at_traction_limit = sign_of(scene.direction) * limit.creep;
   to.error.creep_at_traction_limit = limit.creep_error;
 }
 

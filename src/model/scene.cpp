@@ -65,6 +65,9 @@ void check(const Scene& scene) {
           scene.bulk_difference, "0, as the roller is an insulator");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
   if (scene.law) check_friction(scene.law, 0);
+  if (scene.law && scene.bulk_difference == 0)
+    require(scene.law(0).value > 0, "the share of friction at the bulk temperature", 0,
+            "positive: the law leaves none there");
 }
 
 void check_friction(const FrictionLaw& law, double temperature) {

@@ -188,6 +188,13 @@ void say_idle_law(const Solution& x) {
                hottest, law->of.scale);
 }
 
+void say_idle_floor(const Solution& x) {
+  const auto* law = x.scene.law.target<LawOfFriction>();
+  if (law == nullptr || law->of.floor != 1 || law->of.scale < 0) return;
+  std::fprintf(stderr,
+               "thermoroll: note: with --friction-floor 1 the law does not change the friction\n");
+}
+
 void print_notes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
@@ -200,6 +207,7 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   say_reference(o);
   if (x.scene.bulk_difference != 0) say_direction(x);
   if (!physical) say_idle_law(x);
+  say_idle_floor(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
   if (x.approach.method == Method::gauss_chebyshev && apart > 1)

@@ -128,7 +128,8 @@ void add_limits(Object& o, Object* error, const Solution& x) {
   const TractionLimit limit = limited ? *found->limit : TractionLimit{};
   put("friction_min", least.has_value(), friction.value, friction.error);
   put("traction_limit", limited, sign * limit.traction, limit.traction_error);
-  put("creep_at_traction_limit", limited, sign * limit.creep, limit.creep_error);
+  const bool placed = limited && limit.has_creep();
+  put("creep_at_traction_limit", placed, sign * limit.creep, limit.creep_error);
 }
 
 struct OptionalRow {

@@ -252,12 +252,11 @@ std::optional<double> full_slip_before(const Scene& scene, Formulation formulati
 
 /// The end of a message; nothing unless a creep is given, and one with a contact is known.
 std::string known_limit(const Scene& scene, Formulation formulation, const Prescribed& given) {
-  if (given.quantity != creep) return "";
-  const double known = creep_of_some_stick(scene, formulation), sign = sign_of(scene.direction);
+  const double known = given.quantity == creep ? creep_of_some_stick(scene, formulation) : 0;
   if (!(known > 0)) return "";
-  const char* bound = sign > 0 ? "at least " : "at most ";
-  return std::string("; the creep_limit is ") + bound +
-         (sign > 0 ? rounded_down(known, 4) : rounded_up(-known, 4));
+  if (scene.direction == Direction::driving)
+    return "; the creep_limit is at least " + rounded_down(known, 4);
+  return "; the creep_limit is at most " + rounded_up(-known, 4);
 }
 
 /// The solution on the first grid that has a contact, or else on the finest that has a border; the
@@ -470,12 +469,23 @@ LastStick last_stick(const Scene& scene, Formulation formulation, double given) 
   return {length + past / here, error / std::abs(here), here};
 }
 
+/// To the tolerance of the approach; asked is told by a refusal.
+CoupledSolution solve_for_stick(const Scene& scene, const Approach& approach, double length,
+                                double asked) {
+  try {
+    return solve_coupled(scene, approach, {stick_slip_border, length - 1});
+  } catch (const NotResolved& failure) {
+    throw NotResolved("coupled: the last of the stick zone is not resolved to " + shortest(asked),
+                      failure.trace);
+  }
+}
+
 /// The solution with a stick zone of about this length, which is corrected and has its error anew.
 CoupledSolution with_last_stick(const Scene& scene, const Approach& approach, double given,
                                 LastStick& left) {
   const Approach finer{approach.formulation, std::max(1e-11, approach.tolerance / 10)};
   for (int k = 0;; ++k) {
-    CoupledSolution x = solve_coupled(scene, finer, {stick_slip_border, left.length - 1});
+    CoupledSolution x = solve_for_stick(scene, finer, left.length, approach.tolerance);
     const double miss = given - x.value(creep), missed = miss / left.creep_by_length;
     left.error = std::abs(missed) + x.error(creep) / std::abs(left.creep_by_length);
     const bool met = left.error <= approach.tolerance && std::abs(miss) <= x.error(creep);

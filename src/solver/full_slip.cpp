@@ -101,7 +101,6 @@ std::string at_least(const SlippingGrids& grids, double size) {
                               ", where contact is lost");
 }
 
-/// By std::invalid_argument, if it is.
 void refuse_if_lost(SlippingGrids& grids, double creep, const Followed& found) {
   double limit = 0;
   if (found.beyond.newton_steps > 0) limit = creep_without_load(grids, found);

@@ -191,7 +191,9 @@ GridSolution solve_on(const ContactGrid& grid, const GridSolution& from) {
 }
 
 GridSolution judged(GridSolution found, const ContactGrid& grid) {
-  const Factors at_nodes = factors(grid, found.h);
+  Factors at_nodes = factors(grid, found.h);
+  const auto sticks = at_nodes.s < at_nodes.border;
+  if (found.at.stick < 1e-8) at_nodes.slip = sticks.select(0, at_nodes.slip);
   found.violations = violations(found.crossing ? without_edges(at_nodes) : at_nodes);
   return found;
 }

@@ -172,6 +172,18 @@ Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::ve
   return curve;
 }
 
+/// By an error relative to itself or the scale, else to what is enough.
+Estimate temperature_below(const HeatFlux& flux, const Solution& x, double s, double depth,
+                           double scale) {
+  const double enough = 1e7 * x.approach.tolerance;  // of nine digits
+  const double largest = scale_in(x.scene, x.value)(max_temperature);
+  try {
+    return temperature(flux, x.scene.peclet, s, depth, scale);
+  } catch (const std::runtime_error&) {
+    return temperature(flux, x.scene.peclet, s, depth, std::max(scale, enough * largest));
+  }
+}
+
 /// In temperatures on the surface, by the flux for a grid of n unknowns.
 double error_of_bulk_flux(const Scene& scene, int n, const Eigen::ArrayXd& s) {
   const auto temperature_with = [&](int unknowns) -> Eigen::ArrayXd {
@@ -563,7 +575,8 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
     return {sign * value, own + 2 * of_size * std::abs(value)};
   };
   y.tangential_load_limit = with_size(limit.traction * si.load, limit.traction_error * si.load);
-  y.creep_ratio_at_limit = with_size(limit.creep * ratio, limit.creep_error * ratio);
+  if (limit.has_creep())
+    y.creep_ratio_at_limit = with_size(limit.creep * ratio, limit.creep_error * ratio);
   return y;
 }
 
@@ -692,10 +705,10 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
     const CrossingFlux crossing = flux_for_depths(x.scene, x.approach.formulation, by);
     const double scale = crossing.zones.empty() ? 0 : scale_in(x.scene, x.value)(max_temperature);
     for (const double s : at) {
-      const Estimate own = temperature(flux, x.scene.peclet, s, depth, scale);
+      const Estimate own = temperature_below(flux, x, s, depth, scale);
       CurvePoint point{s, share * own.value, share * own.error + of_flux + crossing.error};
       for (const HeatFlux& zone : crossing.zones) {
-        const Estimate more = temperature(zone, x.scene.peclet, s, depth, scale);
+        const Estimate more = temperature_below(zone, x, s, depth, scale);
         point.temperature += more.value;
         *point.error += more.error;
       }

@@ -182,7 +182,7 @@ TangentialLoad() {
   done
   refuses 2 "tangential-load = 6e+06 over load = 1.2e+07: traction = 0.5 is not allowed: it must be at most 0." \
     solve "${data[@]}" --tangential-load 6e6 --friction-law linear --friction-temperature 200
-  grep -q ' (4.67[0-9]*e+06 N/m, at the creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
+  grep -q ' (467[0-9]* N/m, at the creep-ratio 0.0[0-9]*)$' err || fail "$(cat err)"
   # The largest is that of an answer, with the sign of the force.
   local falls=("${steel[@]:0:2}" "${steel[@]:4}" --half-width 5.5e-3 --friction-law linear --friction-temperature 200) sign
   for sign in "" -; do
@@ -634,6 +634,12 @@ BadLaws() {
     refuses 2 "friction-floor = $floor is not allowed: it must be from 0 to 1" \
       solve "${scene[@]}" "${linear[@]}" --friction-floor $floor
   done
+  run solve "${scene[@]}" "${linear[@]}" --friction-floor 1
+  [ $status -eq 0 ] && grep -q 'note: with --friction-floor 1 the law does not change the friction$' err || fail "$(cat err)"
+  answers solve "${scene[@]}" --friction-law linear --friction-temperature -0.02 --friction-floor 1
+  [ ! -s err ] || fail "it rises: $(cat err)"
+  refuses 2 "the share of friction at the bulk temperature = 0 is not allowed: it must be positive: the law leaves none there" \
+    solve "${scene[@]}" "${linear[@]}" --friction-reference-temperature -0.03
   refuses 2 "friction-floor = -0.1 is not allowed: it must be zero or positive" \
     solve "${scene[@]}" --friction-law piecewise-linear --friction-temperature 0.02 --friction-floor -0.1
   answers solve "${scene[@]}" --friction-law piecewise-linear --friction-temperature 0.02 --friction-floor 1.1

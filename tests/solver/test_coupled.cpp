@@ -1434,6 +1434,15 @@ TEST(Coupled, FindsWhatCoarseGridsMiss) {
   }
 }
 
+// The bracket of so short a stick zone is rounding, whose sign says nothing.
+TEST(Coupled, TheLastOfTheStickZoneIsNoViolation) {
+  for (const double stick : {1e-9, 1e-10, 3e-11}) {
+    const CoupledSolution x = solve_coupled({0.6, 100, 1}, {Formulation::corrected, 1e-5},
+                                            {Quantity::stick_slip_border, stick - 1});
+    EXPECT_TRUE(x.violations.empty()) << stick << ' ' << x.violations.front().what;
+  }
+}
+
 // Where ten unknowns find a root that is no contact, more of them find the contact: the border goes
 // on between its neighbours, to the estimate. The last scene had a load ratio of -1.3 from it.
 TEST(Coupled, LeavesTheWrongRootOfACoarseGrid) {

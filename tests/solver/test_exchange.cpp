@@ -1095,6 +1095,20 @@ TEST(Exchange, TemperatureBelowTheSurfaceStartsThere) {
     }
 }
 
+// Next to the trailing edge, a hundred-millionth deep, the quadrature of strong heat reaches 2e-8
+// of the value instead of its nine digits, and is enough. Down to there the temperature changes by
+// less than the depth times the largest flux, which is below 1 here, so by nothing that counts.
+TEST(Exchange, TemperatureNextToTheSurfaceIsAnswered) {
+  Scene scene{0.5, 70.1, 26.61, {0.918, 14.9}};
+  scene.law = thermoroll::exponential_friction({0.000141, 0.3, 1e-3});
+  const Solution x =
+      solve(scene, {Quantity::creep, 0.293}, {Formulation::corrected, 1e-4, Method::automatic});
+  const std::vector<double> at{0.9999273550350423};
+  const CurvePoint surface = temperature_curve(x, at, 0).points[0],
+                   below = temperature_curve(x, at, 1e-8).points[0];
+  EXPECT_NEAR(surface.temperature, below.temperature, *surface.error + *below.error + 1e-8);
+}
+
 // Ahead of the border heat leaves the body of the higher diffusivity, whichever has the higher
 // effusivity, and less the farther: at the trailing side of the zone that sticks it is largest.
 TEST(Exchange, HeatRunsAheadInTheMoreDiffusiveBody) {
