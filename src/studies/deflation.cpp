@@ -11,11 +11,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-double deflated_part(const std::vector<VectorXd>& known, const VectorXd& h, const VectorXd& step) {
+double deflated_part(const std::vector<VectorXd>& known, double unit, const VectorXd& h,
+                     const VectorXd& step) {
   double by_step = 0;  // eta' d / eta
   for (const VectorXd& at : known) {
-    const double apart = (h - at).squaredNorm();
-    by_step -= 2 * (h - at).dot(step) / (apart * (1 + apart));
+    const double apart = (h - at).squaredNorm() / (unit * unit);
+    by_step -= 2 * (h - at).dot(step) / ((h - at).squaredNorm() * (1 + apart));
   }
   return 1 / (1 - by_step);
 }
@@ -41,10 +42,7 @@ bool reaches_another(const ContactGrid& grid, const std::vector<VectorXd>& known
                      VectorXd& h) {
   for (int step = 0; step < 60 && h.allFinite(); ++step) {
     const VectorXd move = newton_step(grid, h);
-    std::vector<VectorXd> in_units;
-    for (const VectorXd& at : known) in_units.push_back(at / unit);
-    const double part = deflated_part(in_units, h / unit, move / unit);
-    h += part * move;
+    h += deflated_part(known, unit, h, move) * move;
     const auto is_near = [&](const VectorXd& at) { return (h - at).norm() < 1e-6 * unit; };
     if (move.norm() < 1e-9 * h.norm()) return std::none_of(known.begin(), known.end(), is_near);
   }
