@@ -87,7 +87,7 @@ Worst methods_at_their_worst() {
   return worst;
 }
 
-constexpr int unique_count = 100, starts = 20;
+constexpr int unique_count = 100, starts = 20, deflated_starts = 6, deflated_unknowns = 24;
 
 /// How many starts end at the known solution, and at another admissible one.
 struct Ends {
@@ -114,8 +114,6 @@ Ends ends_of_random_starts() {
   return ends;
 }
 
-constexpr int deflated_starts = 6, deflated_unknowns = 24;
-
 std::vector<double> contacts_at(double c0, const Scene& scene, Formulation formulation,
                                 std::uint64_t seed) {
   const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, deflated_unknowns);
@@ -125,13 +123,18 @@ std::vector<double> contacts_at(double c0, const Scene& scene, Formulation formu
   return tractions;
 }
 
-void count_contacts(std::ostream& out, const char* friction, double sign) {
+std::vector<Sample> scenes_with_friction(double sign) {
   std::vector<Sample> scenes = hottest_scenes(unique_count);
   Random random{std::mt19937_64(20150708)};
   for (auto& [x, q, formulation] : scenes) {
     const double scale = x.friction / (random.log_uniform(0.3, 6) * std::sqrt(x.peclet));
     if (sign != 0) x.law = linear_friction({sign * scale});
   }
+  return scenes;
+}
+
+void count_contacts(std::ostream& out, const char* friction, double sign) {
+  const std::vector<Sample> scenes = scenes_with_friction(sign);
   std::vector<std::size_t> found(scenes.size());
   on_all_processors(scenes.size(), [&](std::size_t i) {
     const auto& [x, q, formulation] = scenes[i];
