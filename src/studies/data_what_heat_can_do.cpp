@@ -87,7 +87,7 @@ Worst methods_at_their_worst() {
   return worst;
 }
 
-constexpr int unique_count = 100, starts = 20;
+constexpr int unique_count = 100, starts = 20, deflated_starts = 6, deflated_unknowns = 24;
 
 /// How many starts end at the known solution, and at another admissible one.
 struct Ends {
@@ -114,61 +114,44 @@ Ends ends_of_random_starts() {
   return ends;
 }
 
-constexpr int deflated_starts = 6, deflated_unknowns = 24;
-
-/// The tractions of the contacts that are found at a border; and how many solutions are none.
-struct Deflated {
-  std::vector<double> contacts;
-  int others = 0;
-};
-
-Deflated deflated(const Scene& scene, Formulation formulation, double c0, std::uint64_t seed) {
+std::vector<double> contacts_at(double c0, const Scene& scene, Formulation formulation,
+                                std::uint64_t seed) {
   const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, deflated_unknowns);
-  Deflated found;
-  for (const auto& h : distinct_solutions(grid, deflated_starts, {std::mt19937_64(seed)})) {
-    if (violations(factors(grid, h)).empty())
-      found.contacts.push_back(resultants(grid, h).traction);
-    else
-      ++found.others;
-  }
-  return found;
+  std::vector<double> tractions;
+  for (const auto& h : distinct_solutions(grid, deflated_starts, {std::mt19937_64(seed)}))
+    if (violations(factors(grid, h)).empty()) tractions.push_back(resultants(grid, h).traction);
+  return tractions;
 }
 
-void count_contacts(std::ostream& out, const char* friction, double sign) {
+std::vector<Sample> scenes_with_friction(double sign) {
   std::vector<Sample> scenes = hottest_scenes(unique_count);
   Random random{std::mt19937_64(20150708)};
   for (auto& [x, q, formulation] : scenes) {
     const double scale = x.friction / (random.log_uniform(0.3, 6) * std::sqrt(x.peclet));
     if (sign != 0) x.law = linear_friction({sign * scale});
   }
-  std::vector<Deflated> found(scenes.size());
+  return scenes;
+}
+
+void count_contacts(std::ostream& out, const char* friction, double sign) {
+  const std::vector<Sample> scenes = scenes_with_friction(sign);
+  std::vector<std::size_t> found(scenes.size());
   on_all_processors(scenes.size(), [&](std::size_t i) {
     const auto& [x, q, formulation] = scenes[i];
-    found[i] = deflated(x, formulation, carter(x.friction, q).c0, i);
+    found[i] = contacts_at(carter(x.friction, q).c0, x, formulation, i).size();
   });
-  int with[3] = {0, 0, 0}, others = 0;
-  for (const Deflated& x : found) {
-    ++with[std::min<std::size_t>(x.contacts.size(), 2)];
-    others += x.others;
-  }
-  row(out, friction, scenes.size(), with[0], with[1], with[2], others);
+  const auto with = [&](std::size_t n) { return std::count(found.begin(), found.end(), n); };
+  row(out, friction, unique_count, with(0), with(1), unique_count - with(0) - with(1));
 }
 
 void contacts_at_one_border(std::ostream& out) {
-  row(out, "friction", "scenes", "none found", "one", "two or more", "no contacts");
+  row(out, "friction", "scenes", "none found", "one", "two or more");
   count_contacts(out, "constant", 0);
   count_contacts(out, "falls", 1);
   count_contacts(out, "rises", -1);
 }
 
 const FigureData deflation_data{"deflation", contacts_at_one_border};
-
-std::string pair_at_one_border() {
-  Scene rises{0.4, 0.1, 0};
-  rises.law = linear_friction({-0.45});
-  const Deflated found = deflated(rises, Formulation::corrected, 0, 0);
-  return fixed(found.contacts.at(0), 4) + " and " + fixed(found.contacts.at(1), 4);
-}
 
 }  // namespace
 
@@ -180,6 +163,9 @@ void values_on_what_heat_can_do(nlohmann::ordered_json& v) {
   const double unit = units_of(steel, paper::friction).temperature;
   const Worst worst = methods_at_their_worst();
   const Ends ends = ends_of_random_starts();
+  Scene rises{0.4, 0.1, 0};
+  rises.law = linear_friction({-0.45});
+  const std::vector<double> pair = contacts_at(0, rises, Formulation::corrected, 0);
   v["heat_steel_size"] = fixed(size, 3);
   v["heat_steel_grueneisen"] = fixed(heating / size * 4 / pi * (1 - nu) / (1 - 2 * nu), 2);
   v["heat_softening"] = fixed(paper::friction * unit / 1600 / std::sqrt(paper::peclet), 2);
@@ -196,7 +182,7 @@ void values_on_what_heat_can_do(nlohmann::ordered_json& v) {
   v["heat_arrived"] = std::to_string(ends.known);
   v["heat_deflated_starts"] = std::to_string(deflated_starts);
   v["heat_deflated_unknowns"] = std::to_string(deflated_unknowns);
-  v["heat_pair"] = pair_at_one_border();
+  v["heat_pair"] = fixed(pair.at(0), 4) + " and " + fixed(pair.at(1), 4);
   v["heat_other"] = ends.other == 0 ? "none" : std::to_string(ends.other);
 }
 

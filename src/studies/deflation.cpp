@@ -8,14 +8,15 @@
 namespace thermoroll {
 
 using Eigen::VectorXd;
+using Solutions = std::vector<VectorXd>;
 
 namespace {
 
-double deflated_part(const std::vector<VectorXd>& known, const VectorXd& h, const VectorXd& step) {
+double deflated_part(const Solutions& known, double unit, const VectorXd& h, const VectorXd& step) {
   double by_step = 0;  // eta' d / eta
   for (const VectorXd& at : known) {
-    const double apart = (h - at).squaredNorm();
-    by_step -= 2 * (h - at).dot(step) / (apart * (1 + apart));
+    const double apart = (h - at).squaredNorm() / (unit * unit);
+    by_step -= 2 * (h - at).dot(step) / ((h - at).squaredNorm() * (1 + apart));
   }
   return 1 / (1 - by_step);
 }
@@ -37,29 +38,33 @@ VectorXd newton_step(const ContactGrid& grid, const VectorXd& h) {
   return jacobian.partialPivLu().solve(-missing);
 }
 
-bool reaches_another(const ContactGrid& grid, const std::vector<VectorXd>& known, double unit,
-                     VectorXd& h) {
+bool is_known(const Solutions& known, double unit, const VectorXd& h) {
+  const auto is_near = [&](const VectorXd& at) { return (h - at).norm() < 1e-6 * unit; };
+  return std::any_of(known.begin(), known.end(), is_near);
+}
+
+bool reaches_another(const ContactGrid& grid, const Solutions& known, double unit, VectorXd& h) {
   for (int step = 0; step < 60 && h.allFinite(); ++step) {
     const VectorXd move = newton_step(grid, h);
-    std::vector<VectorXd> in_units;
-    for (const VectorXd& at : known) in_units.push_back(at / unit);
-    const double part = deflated_part(in_units, h / unit, move / unit);
-    h += part * move;
-    const auto is_near = [&](const VectorXd& at) { return (h - at).norm() < 1e-6 * unit; };
-    if (move.norm() < 1e-9 * h.norm()) return std::none_of(known.begin(), known.end(), is_near);
+    h += deflated_part(known, unit, h, move) * move;
+    if (move.norm() < 1e-9 * h.norm()) return !is_known(known, unit, h);
   }
   return false;
 }
 
+VectorXd random_start(const ContactGrid& grid, const VectorXd& carter, Random& random) {
+  VectorXd flux = grid.rules.slip.p * carter;
+  for (double& at_node : flux) at_node *= 10 * random.uniform();
+  return to_legendre(grid.rules.slip, flux);
+}
+
 }  // namespace
 
-std::vector<VectorXd> distinct_solutions(const ContactGrid& grid, int starts, Random random) {
+Solutions distinct_solutions(const ContactGrid& grid, int starts, Random random) {
   const VectorXd carter = carter_h(grid);
-  std::vector<VectorXd> known;
+  Solutions known;
   for (int k = 0; k < starts; ++k) {
-    VectorXd flux = grid.rules.slip.p * carter;
-    for (double& at_node : flux) at_node *= k == 0 ? 1 : 10 * random.uniform();
-    const VectorXd start = to_legendre(grid.rules.slip, flux);
+    const VectorXd start = k == 0 ? carter : random_start(grid, carter, random);
     for (VectorXd h = start; reaches_another(grid, known, carter.norm(), h); h = start)
       known.push_back(h);
   }
