@@ -149,7 +149,7 @@ std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene
   const LawUnits unit = units.value_or(LawUnits{});
   std::string text = mark + "Rolling contact by thermoroll, dimensionless:\n";
   for (const auto& [key, value] : scene.items())
-    text += mark + "  " + key + " = " + value.dump() + '\n';
+    text.append(mark).append("  " + key + " = " + value.dump() + '\n');
   const bool by_speed = has_speeds(law);
   const std::string to = by_speed ? " to " + shortest(law.speeds.back()) : "";
   if (units)

@@ -238,7 +238,7 @@ bool has_kinks(const OnCurve& x) { return !x.solution.kinks.empty(); }
 
 /// Of all results at the maximum.
 Results error_of_law(const Highest& top, const Points& points, const Results& scale) {
-  const Results of_kinks = error_of_kinks(points.back().solution) * scale;
+  Results of_kinks = error_of_kinks(points.back().solution) * scale;
   if (points.size() < 7 || std::none_of(points.begin(), points.end(), has_kinks)) return of_kinks;
   const Points five(points.begin() + 1, points.end() - 1);
   const LocalCurve local = local_curve(five, points[3].rho, top.sticks);
@@ -482,13 +482,13 @@ bool is_told_from(const TractionLimit& limit, const CoupledSolution& x, Branch b
 CoupledSolution solve_closer(const Scene& scene, const Approach& approach, double asked,
                              Branch branch) {
   const std::string near = "coupled: too near to the largest traction to be resolved to ";
-  const NotResolved too_near(near + shortest(approach.tolerance), {});
-  if (approach.tolerance < 1e-10) throw too_near;
+  const auto too_near = [&] { return NotResolved(near + shortest(approach.tolerance), {}); };
+  if (approach.tolerance < 1e-10) throw too_near();
   const Approach closer{approach.formulation, std::max(1e-11, approach.tolerance / 100)};
   try {
     return solve_on_branch(scene, closer, asked, branch);
   } catch (const NotResolved&) {
-    throw too_near;
+    throw too_near();
   }
 }
 

@@ -143,7 +143,7 @@ double error_of_leading_edge(const ZoneLengths& at, int n) {
 
 Results share_at_leading_edge(const Scene& scene, const Results& share, const Results& scale,
                               const Prescribed& given) {
-  const Results of_forces = share.min(share.head(compared - 2).maxCoeff());
+  Results of_forces = share.min(share.head(compared - 2).maxCoeff());
   if (given.quantity != creep) return of_forces;
   const Results slope = carter_slope(nearest_carter(scene, given), creep);
   return of_forces.max(share(creep) * scale(creep) * slope.abs() / scale);

@@ -246,10 +246,12 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
   };
   std::array<Stored, law_terms> y;
   for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k), near);
-  const double times = kinked ? 6 : 3, step = kinked || x.curve.scene.bulk_difference != 0 ? 1 : 3;
+  const double times = kinked ? 6 : 3;
+  const int step = kinked || x.curve.scene.bulk_difference != 0 ? 1 : 3;
   Trial trial{fitted(y), times / 15 * x.tolerance, LawErrors::Zero()};
   GridSolution near_finer = near;
-  for (double k = 9.5; k > 0; k -= step) {
+  for (int upper = 10; upper > 0; upper -= step) {
+    const double k = upper - 0.5;
     const Stored fine = at(finer, k, near_finer);
     trial.error = trial.error.max(times * missed(trial.piece, to <= 1, fine));
     if ((trial.error <= x.tolerance).all()) continue;

@@ -242,7 +242,7 @@ THERMOROLL_CLONES void sum_and_square(const double* density, OctaveSums& x, doub
     const Eigen::Index count = x.count;
     for (Eigen::Index i = 0; i < count; ++i, power += places) {
       const double slope = density[3 * i], strain = density[3 * i + 1], heat = density[3 * i + 2];
-      for (int k = 0; k < 3; ++k) {
+      for (Eigen::Index k = 0; k < 3; ++k) {
         load(power + 4 * k, p);
         sum[k] += slope * p;
         sum[3 + k] += strain * p;
@@ -250,7 +250,7 @@ THERMOROLL_CLONES void sum_and_square(const double* density, OctaveSums& x, doub
         store(p * p, power + 4 * k);
       }
     }
-    for (int k = 0; k < 9; ++k) store(sum[k], sums + k / 3 * places + place + 4 * (k % 3));
+    for (Eigen::Index k = 0; k < 9; ++k) store(sum[k], sums + k / 3 * places + place + 4 * (k % 3));
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -20,17 +19,6 @@ std::string rounded(double value, int digits) {
   char* const end = text.data() + text.size();
   return {text.data(),
           std::to_chars(text.data(), end, value, std::chars_format::general, digits).ptr};
-}
-
-std::string rounded_down(double value, int digits) {
-  if (!(std::abs(value) > 0)) return "0";
-  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
-  return rounded(std::floor(value / unit) * unit, digits);
-}
-
-std::string rounded_up(double value, int digits) {
-  const std::string down = rounded_down(-value, digits);
-  return down == "0" ? down : down[0] == '-' ? down.substr(1) : "-" + down;
 }
 
 std::string with_exponent(double value, int digits) {

@@ -358,7 +358,8 @@ TEST(Solution, FrictionOfAProfileIsThatOfItsTractions) {
         EXPECT_NEAR(y.friction(i), 0.6 * (1 - y.temperature(i) / 0.05), 1e-15);
         const double limit = y.friction(i) * y.pressure(i), q = std::abs(y.traction(i));
         EXPECT_LE(q, limit + off) << given << ' ' << y.s(i);
-        if (y.slip(i) != 0) EXPECT_NEAR(q, limit, off) << given << ' ' << y.s(i);
+        if (y.slip(i) == 0) continue;
+        EXPECT_NEAR(q, limit, off) << given << ' ' << y.s(i);
       }
     }
   }
