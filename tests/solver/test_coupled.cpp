@@ -1722,7 +1722,7 @@ TEST(Coupled, TakesLittleMemory) {
       peak = most_held;
     }).join();
     EXPECT_GT(peak - before, 10000) << "or nothing was counted";
-    EXPECT_LT(peak - before, 5000000) << name_of(formulation);
+    EXPECT_LT(peak - before, 3000000) << name_of(formulation);
   }
 }
 #endif
