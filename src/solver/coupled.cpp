@@ -52,6 +52,11 @@ bool is_of_flux(const Scene& scene, int n, double tail) {
   return scene.bulk_difference == 0 && (unevenness(scene) < 1.5 || n < 30 || tail > 0.01);
 }
 
+double layer_of_coarse_grid(const Scene& scene, int n, double flat_tail) {
+  const double of_flux = n < 16 ? 2e-4 : 0;
+  return scene.bulk_difference == 0 ? std::max(of_flux, flat_tail / (n * n)) : of_flux;
+}
+
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
                       const Results& slope) {
   Results error = Results::Zero();
@@ -80,8 +85,13 @@ bool converges_slowly(const Scene& scene, const GridSolution& x) {
 /// are moved to the ends.
 struct Convergence {
   int before, n;
-  bool slow, crowded;
+  bool slow, crowded, all_slips;
 };
+
+Convergence convergence(const GridSolution& before, const GridSolution& now, bool slow) {
+  return {static_cast<int>(before.h.size()), static_cast<int>(now.h.size()), slow,
+          now.at.variable.beta > 0, now.at.stick == 0};
+}
 
 /// The part of a change since the previous grid that is counted as the error of this one.
 double part_of_change(const Convergence& at) {
@@ -176,7 +186,8 @@ Results estimate(const Results& change, const Results& share, double now, double
   const double of_one_point = std::min(product, std::clamp(now / before, part / 4, part));
   if (!at.slow) error(max_temperature) = of_one_point * change(max_temperature);
   const double largest = error.head(compared).maxCoeff(), in_layer = at.slow ? 200 : 30;
-  const double of_tail = unresolved(now, at.n, at.slow, at.n < 30 ? 20 : 10, in_layer);
+  const double of_integrals = at.n < 30 || at.all_slips ? 20 : 10;
+  const double of_tail = unresolved(now, at.n, at.slow, of_integrals, in_layer);
   const double stalled = at.n >= 30 && now >= before ? now : 0;
   error = error.max(share * std::max({largest, of_tail, stalled}));
   error(max_temperature) += error_of_one_temperature(at.n);
@@ -374,7 +385,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double now = tail(level.h), then = tail(last.h);
   const bool flat = now > std::max(1e-6, 0.05 * then);
   const bool layered = scene.law && level.kinks.empty() && decays_slowly(last.h, level.h);
-  const Convergence grids{static_cast<int>(last.h.size()), n, slow, level.at.variable.beta > 0};
+  const Convergence grids = convergence(last, level, slow);
   const double part = remembered(grids, layered, level.crossing.has_value(), is_uneven(scene));
   const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
@@ -392,7 +403,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + 2e-15 * n;
     const bool coarse_and_flat = flat && n <= 200;
-    double of_layer = coarse_and_flat && scene.bulk_difference == 0 ? now / (n * n) : 0;
+    double of_layer = layer_of_coarse_grid(scene, n, coarse_and_flat ? now : 0);
     if (slow && n < 48) of_layer = std::max(of_layer, now / 20);
     if (coarse_and_flat && n > 96 && now > then / 2)
       of_layer = std::max(of_layer, 2 * change(max_temperature));
