@@ -3,12 +3,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <functional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -131,6 +134,14 @@ void carters_problem(benchmark::State& state) {
         solve_coupled({0.3, 1, 0}, {Formulation::corrected, 1e-6}, {Quantity::creep, given}));
 }
 
+struct Ratio {
+  std::string name;
+  double bar;
+  bool at_least;  // the bar is a least ratio, not a largest
+  std::vector<double> medians{};
+};
+std::vector<Ratio> ratios_in_turns;
+
 using Solve = std::function<void()>;
 
 double seconds(const Solve& solve) {
@@ -139,7 +150,8 @@ double seconds(const Solve& solve) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-void against_one_body(benchmark::State& state, const Solve& alone, const Solve& extended) {
+void in_turns(benchmark::State& state, const Solve& alone, const Solve& extended,
+              std::size_t index) {
   std::vector<double> ratios;
   for (auto _ : state) {
     state.PauseTiming();
@@ -147,7 +159,14 @@ void against_one_body(benchmark::State& state, const Solve& alone, const Solve& 
     state.ResumeTiming();
     ratios.push_back(seconds(extended) / unit);
   }
-  state.SetLabel(fixed(median(ratios), 2) + " times one body");
+  ratios_in_turns[index].medians.push_back(median(ratios));
+  state.SetLabel(fixed(median(ratios), 2) + " times the other");
+}
+
+void name_ratio(const Ratio& of, const Solve& alone, const Solve& extended) {
+  benchmark::RegisterBenchmark(of.name.c_str(), in_turns, alone, extended, ratios_in_turns.size())
+      ->Unit(benchmark::kMicrosecond);
+  ratios_in_turns.push_back(of);
 }
 
 using Three = std::array<Prescribed, 3>;
@@ -165,42 +184,40 @@ Solve solve_of(Scene scene, const Three& all) {
   };
 }
 
-void name_extension(const std::string& name, const Scene& scene, const Solve& extended,
+void name_extension(const std::string& name, double bar, const Scene& scene, const Solve& extended,
                     const Three& given) {
   const Scene alone{scene.friction, scene.peclet, scene.heating};
   const std::string groups = "/Pe:" + shortest(scene.peclet) + "/H:" + shortest(scene.heating);
-  benchmark::RegisterBenchmark((name + groups).c_str(), against_one_body, solve_of(alone, given),
-                               extended)
-      ->Unit(benchmark::kMicrosecond);
+  name_ratio({name + groups, bar, false}, solve_of(alone, given), extended);
 }
 
 void name_two_bodies(const Scene& alone) {
   const Three borders = three(Quantity::stick_slip_border, -0.6, -0.1, 0.4);
-  const auto name = [&](const char* what, const Scene& scene) {
-    name_extension(what, scene, solve_of(scene, borders), borders);
+  const auto name = [&](const char* what, double bar, const Scene& scene) {
+    name_extension(what, bar, scene, solve_of(scene, borders), borders);
   };
   Scene scene = alone;
   scene.roller = {1, alone.heating};
-  name("identical/tau:0", scene);
+  name("identical/tau:0", 1.1, scene);
   scene = alone;
   scene.direction = Direction::braking;
-  name("identical/tau:-1", scene);
+  name("identical/tau:-1", 1.1, scene);
   scene = alone;
   scene.roller = {2, 0.7 * alone.heating, alone.peclet / 5};
-  name("unlike/share", scene);
+  name("unlike/share", 6, scene);
   scene.bulk_difference = 0.1 / std::sqrt(alone.peclet);
-  name("unlike/bulk_difference", scene);
+  name("unlike/bulk_difference", 6, scene);
 }
 
 void name_friction_law(const Scene& alone) {
   Scene scene = alone;
   scene.law = linear_friction({scene.friction / std::sqrt(scene.peclet)});
   const Three pulls = three(Quantity::traction, 0.1, 0.2, 0.3);
-  for (const auto& [what, given] :
-       {std::pair{"friction_law/border", three(Quantity::stick_slip_border, -0.6, -0.1, 0.4)},
-        {"friction_law/creep", three(Quantity::creep, 0.05, 0.1, 0.2)},
-        {"friction_law/traction", pulls}})
-    name_extension(what, scene, solve_of(scene, given), given);
+  for (const auto& [what, bar, given] :
+       {std::tuple{"friction_law/border", 2, three(Quantity::stick_slip_border, -0.6, -0.1, 0.4)},
+        {"friction_law/creep", 2, three(Quantity::creep, 0.05, 0.1, 0.2)},
+        {"friction_law/traction", 5, pulls}})
+    name_extension(what, bar, scene, solve_of(scene, given), given);
   const auto curve = [scene](double from) -> Solve {
     return [=] {
       for (int times = 0; times < 3; ++times) {
@@ -210,14 +227,51 @@ void name_friction_law(const Scene& alone) {
       }
     };
   };
-  name_extension("friction_law/curve:100", scene, curve(0), pulls);
-  name_extension("friction_law/curve_both:100", scene, curve(-1), pulls);
+  name_extension("friction_law/curve:100", 60, scene, curve(0), pulls);
+  name_extension("friction_law/curve_both:100", 60, scene, curve(-1), pulls);
 }
 
 void law_evaluate(benchmark::State& state) {
   const CreepLaw law = creep_law(steel, sign, 1e-4);
   int i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(evaluate(law, 0.02 * (++i % 101) - 1));
+}
+
+Solve run_named(const std::string& name) {
+  for (const Regime& regime : regimes)
+    for (const Run& run : runs(regime))
+      if (run.name == name) return [=] { benchmark::DoNotOptimize(run.find()); };
+  throw std::logic_error("no run " + name);
+}
+
+void name_published() {
+  const auto solved_to = [](double tolerance) -> Solve {
+    return [=] {
+      benchmark::DoNotOptimize(solve_coupled(steel, {sign, tolerance}, {Quantity::traction, 0.5}));
+    };
+  };
+  for (const auto& [tolerance, bar, thrifty] :
+       {std::tuple{1e-6, 350, 140}, {1e-8, 75, 30}, {1e-10, 12, 5}})
+    for (const auto& [scheme, least] :
+         {std::pair{"gauss_chebyshev", bar}, {"gauss_chebyshev_thrifty", thrifty}})
+      name_ratio({scheme + ("/tol:" + shortest(tolerance)), 1.0 * least, true},
+                 solved_to(tolerance), run_named(scheme + std::string("/n:200/Pe:4360/H:0.0175")));
+}
+
+std::string judgement(const Ratio& x, double middle, double spread) {
+  if (spread > 0.05) return "not judged";
+  return (x.at_least ? middle >= x.bar : middle <= x.bar) ? "met" : "missed";
+}
+
+void judge_ratios() {
+  for (const Ratio& x : ratios_in_turns) {
+    if (x.medians.size() < 5) continue;
+    const auto [least, most] = std::minmax_element(x.medians.begin(), x.medians.end());
+    const double middle = median(x.medians), spread = (*most - *least) / middle;
+    std::fprintf(stderr, "%-42s %8.2f  bar %s %-5g spread %4.1f %%  %s\n", x.name.c_str(), middle,
+                 x.at_least ? ">=" : "<=", x.bar, 100 * spread,
+                 judgement(x, middle, spread).c_str());
+  }
 }
 
 std::string processor() {
@@ -244,6 +298,7 @@ int main(int argc, char** argv) {
     name_two_bodies(alone);
     name_friction_law(alone);
   }
+  name_published();
   for (const auto& [name, part] : {std::pair{"part/rays", &part_rays},
                                    {"part/sides", &part_sides},
                                    {"part/inverses", &part_inverses},
@@ -255,6 +310,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
+  judge_ratios();
   benchmark::Shutdown();
   return 0;
 }

@@ -64,9 +64,21 @@ RatiosToOneBody() {
   "$bench" --benchmark_filter='^(identical|unlike|friction_law)/' --benchmark_min_time=0 \
     --benchmark_format=json >"$work/times.json" 2>/dev/null
   local ratios
-  ratios=$(sed -nE 's/^ *"label": "([0-9.]+) times one body",?$/\1/p' "$work/times.json")
+  ratios=$(sed -nE 's/^ *"label": "([0-9.]+) times the other",?$/\1/p' "$work/times.json")
   [ "$(wc -l <<<"$ratios")" = 16 ] || fail "ratios: $ratios"
   awk '!($1 > 0) { exit 1 }' <<<"$ratios" || fail "no times: $ratios"
+}
+
+# Each ratio has a line with its median, its bar and its spread; one that spreads more than 5 % is not judged.
+RatiosAreJudged() {
+  "$bench" --benchmark_filter='^(identical/.*H:0.0175|gauss_chebyshev/tol:)' --benchmark_min_time=0 \
+    --benchmark_repetitions=5 >/dev/null 2>"$work/judged"
+  grep -E '^(identical|gauss)' "$work/judged" >"$work/lines"
+  [ "$(wc -l <"$work/lines")" = 5 ] || fail "$(cat "$work/judged")"
+  awk '{ told = $9 == "not" ? "not judged" : $9
+         met = $4 == ">=" ? $2 >= $5 : $2 <= $5
+         if (told != ($7 > 5 ? "not judged" : met ? "met" : "missed") && ($7 > 5.05 || $7 < 4.95)) exit 1 }' \
+    "$work/lines" || fail "$(cat "$work/lines")"
 }
 
 # Each but the longest runs, and reports no error but that the scheme does not settle in some scene.
