@@ -1485,17 +1485,21 @@ local function stands_whole(chunk)
   return found
 end
 
+--- Studies and benchmarks are told piece by piece only: as whole files they would be 250 kB more.
+local function is_of_studies(file) return file:match("^src/studies/") or file:match("^src/bench/") end
+
 local function file_index()
   local out, coloured = pandoc.List(), coloured_chunks()
   for _, chunk in ipairs(sorted(chunks, function(c) return c.file or "" end)) do
     if chunk.file then
       local lines, from = tangle.expand(coloured, chunk.name)
       local id, is_whole = "file:" .. chunk.file, stands_whole(chunk)
+      local is_listed = not is_whole and not is_of_studies(chunk.file)
       local note = string.format("%d %s from %s · %s", #lines, #lines == 1 and "line" or "lines",
         table.concat(from, ", "),
         link(anchor(chunk.pieces[1]), (is_whole and "whole in " or "told in ") .. chunk.html))
-      out:insert(is_whole and mention(id, escape(chunk.file), note)
-        or listing(id, escape(chunk.file), note, lines))
+      out:insert(is_listed and listing(id, escape(chunk.file), note, lines)
+        or mention(id, escape(chunk.file), note))
     end
   end
   return out
