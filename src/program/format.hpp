@@ -11,7 +11,7 @@
 
 namespace thermoroll {
 
-/// What the user names the roller of a scene: identical if all of its constants are the same.
+/// The kind of the roller, as the options name it: identical if all of its constants are the same.
 RollerKind kind_of(const Scene& scene);
 
 /// A solution in a format. Throws NotConverged where a number of it is not finite.

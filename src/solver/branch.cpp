@@ -515,7 +515,8 @@ std::string range_text(double a, double b) {
   const std::string bound =
       sign > 0 ? "at most " + rounded_down(most, 6) : "at least " + rounded_up(most, 6);
   throw BeyondLimit("traction = " + shortest(sign * asked) + " is not allowed: it must be " +
-                        bound + ", the largest, at the creep " + fixed(largest.creep, 6),
+                        bound + ", the largest" +
+                        (largest.has_creep() ? ", at the creep " + fixed(largest.creep, 6) : ""),
                     largest);
 }
 
@@ -523,9 +524,12 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
                    double asked) {
   const double sign = sign_of(x.curve.scene.direction);
   const auto highest = std::max_element(x.points.begin(), x.points.end(), is_lower);
-  const double top = highest->traction(), most = sign * (limit ? below(*limit) : 0.999 * top);
-  const double rest = asked - beyond_no_slip(x.curve.scene, {traction, asked}).value;
   const OnCurve& last = x.points.back();
+  const double top = highest->traction(), end = last.traction();
+  const double margin = std::min(1e-3 * std::abs(top), 0.25 * (top - end));
+  const double under = branch == Branch::falling ? top - margin : 0.999 * top;
+  const double most = sign * (limit ? below(*limit) : under);
+  const double rest = asked - beyond_no_slip(x.curve.scene, {traction, asked}).value;
   if (branch == Branch::falling && !is_lower(last, *highest))
     throw std::invalid_argument(
         "branch = falling does not exist: the traction has no maximum; it is " +
@@ -533,8 +537,8 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
   if (limit && asked > limit->traction) refuse_above(*limit, asked, sign);
   if (!limit) require(asked < top, "traction", sign * asked, range_text(sign * rest, most));
   if (branch == Branch::falling)
-    require(asked > last.traction(), "traction", sign * asked,
-            range_text(sign * 1.001 * last.traction(), most) + " on the falling branch");
+    require(asked > end, "traction", sign * asked,
+            range_text(sign * (end + margin), most) + " on the falling branch");
 }
 
 }  // namespace

@@ -264,7 +264,7 @@ std::optional<double> full_slip_before(const Scene& scene, Formulation formulati
 /// The end of a message; nothing unless a creep is given, and one with a contact is known.
 std::string known_limit(const Scene& scene, Formulation formulation, const Prescribed& given) {
   const double known = given.quantity == creep ? creep_of_some_stick(scene, formulation) : 0;
-  if (!(known > 0)) return "";
+  if (!(known > 0) || given.value < known) return "";
   if (scene.direction == Direction::driving)
     return "; the creep_limit is at least " + rounded_down(known, 4);
   return "; the creep_limit is at most " + rounded_up(-known, 4);
@@ -602,7 +602,7 @@ Carter carter_given(double friction, const Prescribed& given) {
   const bool by_border = given.quantity == stick_slip_border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
   require(half < 1, "creep", given.value,
-          "below 2 f / pi: the closed form ends where the whole contact slips");
+          "below 2 f / pi for this method: the whole contact slips from there on");
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
 }

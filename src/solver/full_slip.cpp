@@ -77,7 +77,7 @@ bool is_lost_beyond(SlippingGrids& grids, const Followed& found) {
   SlippingGrids finer{grids.scene, grids.formulation};
   const double there = 1.01 * found.creep;
   GridSolution x = solve_slipping_grid(grids, followed_unknowns, there, found.contact);
-  GridSolution y = solve_slipping_grid(finer, finer_unknowns, there, x);
+  GridSolution y = solve_slipping_grid(finer, finer_unknowns, there, found.contact);
   for (GridSolution* each : {&x, &y}) forget_the_edge(*each, 1e-3);
   return x.newton_steps > 0 && y.newton_steps > 0 && !y.violations.empty() &&
          same_violations(x.violations, y.violations);

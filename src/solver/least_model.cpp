@@ -199,7 +199,7 @@ Correction correct_full_slip(const Scene& scene, Formulation formulation, const 
   x.mean = heat.dot(gained.abs().matrix()) / heat.dot(flat.matrix());
 
   const double unit = 2 * scene.friction / pi;
-  x.sticks = std::max(0.0, 1 + (2 * moved.abs().maxCoeff() - cold.creep) / unit);
+  x.sticks = std::max(0.0, 1 + (2.5 * moved.abs().maxCoeff() - cold.creep) / unit);
   return x;
 }
 

@@ -19,7 +19,8 @@ double expected_second_order(double change);
 
 /// The lower levels, as solutions of the coupled problem. Errors include what the model leaves out,
 /// and are infinite where heat is too strong for one linear correction. The closed form's h has ten
-/// terms, and no heat acts on its tractions. Arguments and refusals as for carter_given.
+/// terms, and no heat acts on its tractions. Arguments as for carter_given; first_order
+/// refuses a creep in full slip.
 CoupledSolution closed_form(const Scene& scene, const Approach& approach, const Prescribed& given);
 CoupledSolution first_order(const Scene& scene, const Approach& approach, const Prescribed& given);
 

@@ -93,7 +93,7 @@ void check_tolerance(double tolerance) {
 }
 
 std::string range_of_traction(double friction) {
-  return "the traction between -" + shortest(friction) + " and " + shortest(friction);
+  return "the traction is between -" + shortest(friction) + " and " + shortest(friction);
 }
 
 void check_method(const Scene& scene, const Prescribed& given, Method method) {
@@ -172,7 +172,7 @@ Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::ve
   return curve;
 }
 
-/// By an error relative to itself or the scale, else to what is enough.
+/// To nine digits of itself or of the scale; else to a hundredth of the tolerance of the largest.
 Estimate temperature_below(const HeatFlux& flux, const Solution& x, double s, double depth,
                            double scale) {
   const double enough = 1e7 * x.approach.tolerance;  // of nine digits
@@ -385,12 +385,13 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   const bool better = other > n && x.model == Model::coupled;
   const SmoothTractions changed_by = smooth_tractions(hot, other);
   const Peaks changed = largest(changed_by, f);
+  const bool closed = x.model == Model::closed_form;
   Peaks own = carter_peaks({f, 1 - half, half, found.value(stick_slip_border), found.value(creep)});
   Peaks beside{};
-  if (x.model != Model::closed_form) {
-    const SmoothTractions by = smooth_tractions(hot, n);
+  if (!closed || half == 1) {
+    const SmoothTractions by = smooth_tractions(closed ? found : hot, n);
     own = largest(by, f);
-    beside = largest_change(by, changed_by, f);
+    if (!closed) beside = largest_change(by, changed_by, f);
   }
   const Results relative = *x.error / scale_in(x.scene, x.value);
   const double e = std::max(relative(heat_integral), relative(max_temperature));

@@ -65,7 +65,7 @@ RatiosToOneBody() {
     --benchmark_format=json >"$work/times.json" 2>/dev/null
   local ratios
   ratios=$(sed -nE 's/^ *"label": "([0-9.]+) times the other",?$/\1/p' "$work/times.json")
-  [ "$(wc -l <<<"$ratios")" = 16 ] || fail "ratios: $ratios"
+  [ "$(wc -l <<<"$ratios")" = 18 ] || fail "ratios: $ratios"
   awk '!($1 > 0) { exit 1 }' <<<"$ratios" || fail "no times: $ratios"
 }
 

@@ -1147,11 +1147,13 @@ TEST(HotFriction, RefusesBeyondTheMaximum) {
   EXPECT_TRUE(refused(floor, {Quantity::traction, 0.17, Branch::falling}, "on the falling branch"));
 }
 
-// The ends of every range that a refusal names are accepted, on either side of free rolling.
+// The ends of the ranges that refusals name are accepted, but for 0, at which nothing slips, on
+// either side of free rolling; also where the falling branch is flat, next to a floor of 0.9995.
 TEST(HotFriction, RangesAreAccepted) {
   const Scene bends = hot(100, 0.0175, linear_friction({0.02}));
   const Scene floor = hot(100, 0.0175, exponential_friction({0.01, 0.3}));
   const Scene rises = hot(100, 0.0175, linear_friction({-0.05}));
+  const Scene flat = hot(100, 0.0175, exponential_friction({0.01, 0.9995}));
   struct Row {
     Scene scene;
     double asked;
@@ -1163,6 +1165,7 @@ TEST(HotFriction, RangesAreAccepted) {
   for (Row row : {Row{bends, 0.398, Branch::rising, {"it must be at most "}, Branch::rising},
                   Row{bends, 0.398, Branch::falling, {"it must be at most "}, Branch::falling},
                   Row{floor, 0.17, Branch::falling, range, Branch::falling},
+                  Row{flat, 0.5, Branch::falling, range, Branch::falling},
                   Row{rises, 0.3, Branch::falling, {" and "}, Branch::rising},
                   Row{rises, 7, Branch::rising, {" and "}, Branch::rising}})
     for (const Direction direction : {Direction::driving, Direction::braking}) {

@@ -453,6 +453,20 @@ TEST(Solution, PeaksOfTheClosedFormThatWasChosen) {
   }
 }
 
+// In full slip the flux grows with the creep, and its peak is that of the creep that was given.
+TEST(Solution, PeaksOfTheClosedFormInFullSlip) {
+  const Scene scene{0.6, 100, 1e-4};
+  const Prescribed given{creep, 4 * 0.6 / thermoroll::pi};
+  const Solution x = solve(scene, given, {.tolerance = 1e-2});
+  ASSERT_EQ(x.model, Model::closed_form);
+  const FoundPeaks chosen = peaks(x);
+  const FoundPeaks fine = peaks(solve(scene, given, {.method = Method::coupled}));
+  for (const auto peak : all_peaks) {
+    EXPECT_NEAR(chosen.value.*peak, fine.value.*peak, *chosen.error.*peak);
+    EXPECT_LE(*chosen.error.*peak, 2e-2 * chosen.value.*peak);
+  }
+}
+
 // Tractions made of constants, whose peaks can be told. With p-hat = 2/pi everywhere, the largest
 // pressure is 2/pi, in the middle. Where nothing corrects it, the traction of the stick zone is f
 // times the pressure, so that its peak is in the middle of the contact, too, and not at the border.

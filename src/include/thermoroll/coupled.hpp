@@ -105,7 +105,7 @@ struct NotResolved : std::runtime_error {
 /// above the tolerance (@sec:traction-limit).
 struct TractionLimit {
   double traction, creep, traction_error, creep_error;
-  bool has_creep() const { return creep_error < std::abs(creep); }  ///< no more is known if not
+  bool has_creep() const { return creep_error < std::abs(creep); }  ///< else unknown
 };
 
 /// The traction next to it that is surely below it, in size, and is told from it.
