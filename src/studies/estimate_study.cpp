@@ -135,7 +135,7 @@ const std::pair<StudyKind, std::string> kinds[] = {
     {StudyKind::bulk_difference, "the same with a bulk difference"},
     {StudyKind::law, "a law of friction"},
     {StudyKind::law_of_unlike, "a law of friction between unlike bodies"},
-    {StudyKind::printed_sign, "one conducting body, printed sign"},
+    {StudyKind::printed_sign, "one body with the printed sign"},
     {StudyKind::nearly_alike, "two of nearly one diffusivity"},
     {StudyKind::full_slip, "full slip"}};
 
