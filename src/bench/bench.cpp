@@ -23,6 +23,7 @@
 #include "studies/comparison.hpp"
 #include "studies/paper_scene.hpp"
 #include "studies/sampling.hpp"
+#include "studies/timings.hpp"
 #include "support/freed_memory.hpp"
 #include "support/number_text.hpp"
 #include "thermoroll/creep_law.hpp"
@@ -262,11 +263,6 @@ void name_published() {
                  solved_to(tolerance), run_named(scheme + std::string("/n:200/Pe:4360/H:0.0175")));
 }
 
-std::string judgement(const Ratio& x, double middle, double spread) {
-  if (spread > 0.05) return "not judged";
-  return (x.at_least ? middle >= x.bar : middle <= x.bar) ? "met" : "missed";
-}
-
 void judge_ratios() {
   for (const Ratio& x : ratios_in_turns) {
     if (x.medians.size() < 5) continue;
@@ -274,7 +270,7 @@ void judge_ratios() {
     const double middle = median(x.medians), spread = (*most - *least) / middle;
     std::fprintf(stderr, "%-42s %8.2f  bar %s %-5g spread %4.1f %%  %s\n", x.name.c_str(), middle,
                  x.at_least ? ">=" : "<=", x.bar, 100 * spread,
-                 judgement(x, middle, spread).c_str());
+                 judgement(middle, spread, x.bar, x.at_least).c_str());
   }
 }
 

@@ -203,6 +203,11 @@ const std::vector<std::pair<std::string, TimedWriter>>& timed_writers() {
 
 }  // namespace
 
+std::string judgement(double ratio, double spread, double bar, bool at_least) {
+  if (!(spread <= 0.05)) return "not judged";
+  return (at_least ? ratio >= bar : ratio <= bar) ? "met" : "missed";
+}
+
 Benchmarks read_benchmarks(const std::string& path) try {
   const nlohmann::json output = read_json(path);
   auto all = repetitions(output);

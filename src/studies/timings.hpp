@@ -20,6 +20,10 @@ struct Benchmarks {
   double spread = 0;
 };
 
+/// Whether a ratio of times is at most its bar, or at least: "met" or "missed", or "not judged" if
+/// its repetitions differ by more than a twentieth of it.
+std::string judgement(double ratio, double spread, double bar, bool at_least);
+
 /// Read what thermoroll-bench --benchmark_format=json has written; the median of the repetitions
 /// of each benchmark. Throws std::runtime_error for a file that is not such.
 Benchmarks read_benchmarks(const std::string& path);

@@ -349,3 +349,15 @@ TEST(Comparison, BandsAreJaegersAndBloks) {
   }
   EXPECT_NEAR(thermoroll::blok_factor(1e8), 1.111548, 1e-4);
 }
+
+// At the bar a ratio meets it; one whose repetitions spread by more than 5 % is not judged, nor is
+// one without a number.
+TEST(Timings, RatiosMeetTheirBars) {
+  for (const bool at_least : {false, true}) {
+    EXPECT_EQ(thermoroll::judgement(1.1, 0.05, 1.1, at_least), "met");
+    EXPECT_EQ(thermoroll::judgement(1.2, 0.01, 1.1, at_least), at_least ? "met" : "missed");
+    EXPECT_EQ(thermoroll::judgement(1.0, 0.01, 1.1, at_least), at_least ? "missed" : "met");
+    EXPECT_EQ(thermoroll::judgement(1.1, 0.051, 1.1, at_least), "not judged");
+    EXPECT_EQ(thermoroll::judgement(1.1, std::nan(""), 1.1, at_least), "not judged");
+  }
+}
