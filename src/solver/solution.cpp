@@ -624,8 +624,10 @@ std::string units_told(const GivenScene& c) {
 std::string limit_told(const GivenScene& c, const TractionLimit& limit) {
   const PhysicalScene si = with_half_width(c);
   const double most = below(limit) * si.load;
-  return " (" + (most > 0 ? rounded_down(most, 7) : rounded_up(most, 7)) +
-         " N/m, at the creep-ratio " + rounded(limit.creep * ratio_of_creep(si), 4) + ")";
+  const std::string in_si = most > 0 ? rounded_down(most, 7) : rounded_up(most, 7);
+  if (!limit.has_creep()) return " (" + in_si + " N/m)";
+  return " (" + in_si + " N/m, at the creep-ratio " +
+         rounded(limit.creep * ratio_of_creep(si), 4) + ")";
 }
 
 std::string told_in_si(const GivenScene& c, const std::invalid_argument& refusal) {

@@ -107,19 +107,18 @@ FigureScriptEditRedrawsOneFigure() { # in the copy
 }
 
 # The recipe of the appendix: no more is made than depends on the equation, and the curve is another.
-# (What other cases start from is as it was.)
+# (What other cases start from is put back, with its times, so that they need not make it again.)
 EquationEditChangesItsFigure() { # in the copy
   in_copy figures
-  cp -a paper/05-closed-form.md src/model/carter.cpp "$work"
-  local before
-  before=$(cksum <build/figures/slip.svg)
+  cp -a paper/05-closed-form.md src/model/carter.cpp build "$work"
   sh src/program/recipes/equation.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
   expect_steps "$work/log" 'tangling the chapters' 'compiling the program' 'computing build/data/slip.csv' \
     'drawing build/figures/slip.svg'
-  [ "$(cksum <build/figures/slip.svg)" != "$before" ] || fail "the figure is the same"
-  cp "$work/05-closed-form.md" paper/
-  make build/figures/slip.svg >"$work/log" 2>&1 || fail "$(cat "$work/log")"
-  [ "$(cksum <build/figures/slip.svg)" = "$before" ] || fail "the figure did not come back"
+  ! cmp -s build/figures/slip.svg "$work/build/figures/slip.svg" || fail "the figure is the same"
+  rm -r build
+  mv "$work/build" .
+  cp -a "$work/05-closed-form.md" paper/
+  cp -a "$work/carter.cpp" src/model/
 }
 
 # The whole run is stopped when half a figure is written: no half figure stays, and the next run
