@@ -626,8 +626,8 @@ std::string limit_told(const GivenScene& c, const TractionLimit& limit) {
   const double most = below(limit) * si.load;
   const std::string in_si = most > 0 ? rounded_down(most, 7) : rounded_up(most, 7);
   if (!limit.has_creep()) return " (" + in_si + " N/m)";
-  return " (" + in_si + " N/m, at the creep-ratio " +
-         rounded(limit.creep * ratio_of_creep(si), 4) + ")";
+  const std::string creep_ratio = rounded(limit.creep * ratio_of_creep(si), 4);
+  return " (" + in_si + " N/m, at the creep-ratio " + creep_ratio + ")";
 }
 
 std::string told_in_si(const GivenScene& c, const std::invalid_argument& refusal) {
