@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # sweep-bench.sh PROGRAM TABLE ROWS...: how fast sweeps of so many random rows are, and how much memory
-# they take; by the default method and by the closed form. Printed as it comes; TABLE is written at
-# the end.
+# they take; by the default method, to 1e-6 and to 1e-3, and by the closed form. Printed as it comes;
+# TABLE is written at the end.
 set -eu -o pipefail
 program=$1
 table=$2
@@ -21,16 +21,17 @@ rows() { # rows COUNT METHOD: log-uniform in Pe 1e-2...1e6, H 1e-4...3, f 0.05..
 }
 # Rows with an error are no failure here: the status 4.
 TIMEFORMAT='%U %S'
-sweep() {
-  { time "$program" sweep --verbose >/dev/null 2>"$work/said" || [ $? -eq 4 ]; } 2>"$work/seconds"
+sweep() { # sweep OPTION...
+  { time "$program" sweep --verbose "$@" >/dev/null 2>"$work/said" || [ $? -eq 4 ]; } 2>"$work/seconds"
 }
 machine="$(nproc) × $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | sed q | tr -d ,)"
-header='method,rows,rows/s,ms/row,MB,machine,date'
+header='method,tolerance,rows,rows/s,ms/row,MB,machine,date'
 for count; do
-  for method in "" closed-form; do
-    rows "$count" "$method" | sweep || { echo "sweep-bench: no rows: $(cat "$work/said")" >&2; exit 1; }
+  for run in ,1e-6 ,1e-3 closed-form,; do
+    method=${run%,*} tolerance=${run#*,}
+    rows "$count" "$method" | sweep ${tolerance:+--tolerance $tolerance} || { echo "sweep-bench: no rows: $(cat "$work/said")" >&2; exit 1; }
     read -r user system <"$work/seconds"
-    awk -v name="${method:-default}" -v seconds="$(awk "BEGIN { print $user + $system }")" \
+    awk -v name="${method:-default},$tolerance" -v seconds="$(awk "BEGIN { print $user + $system }")" \
       -v machine="$machine" -v date="$(date -u +%F)" '
       match($0, /[0-9]+ rows\/s, [0-9]+ MB$/) {
         split(substr($0, RSTART), rate, " ")

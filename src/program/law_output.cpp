@@ -166,7 +166,7 @@ std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene
   if (by_speed)
     text += mark + "The dimensionless data are those of the lowest speed.\n" + mark +
             "At speeds outside of this range the status is 1.\n";
-  if (units) text += mark + "Strains are small up to a creep of 0.1 only.\n";
+  if (units) text += mark + "Both surfaces have one speed in the model: creeps up to 0.1.\n";
   const double q = 1.05 * law.traction_error, t = 1.05 * law.temperature_error;  // rounded upwards
   text += mark + "Errors: of the traction " + rounded(q * unit.traction, 2) +
           ", of the temperature " + rounded(t * unit.temperature, 2) + ";\n" + mark +

@@ -26,7 +26,7 @@ constexpr SceneOption group_options[] = {
      &SceneOptions::heating}};
 
 constexpr SceneOption si_options[] = {
-    {"--load", "N/m", "load per unit length P: a wheel's load over the width of its contact",
+    {"--load", "N/m", "load per unit length P = pi a p0 / 2: for a wheel 3/2 load / contact width",
      &SceneOptions::load},
     {"--speed", "m/s", "rolling speed V: if they differ much, the mean of both surfaces' speeds",
      &SceneOptions::speed},
@@ -87,15 +87,16 @@ constexpr SceneOption bulk_group_options[] = {
      &SceneOptions::bulk_difference}};
 
 constexpr SceneOption given_options[] = {
-    {"--traction", "NUMBER", "traction Q* = Q/P, between -f and f; negative for braking",
+    {"--traction", "NUMBER",
+     "traction Q* = Q/P, between -f and f unless friction rises; negative for braking",
      &SceneOptions::traction},
     {"--creep", "NUMBER", "in place of it: creep xi* = mu a xi / (2 (1-nu) P), of the same sign",
      &SceneOptions::creep},
-    {"--stick-slip-border", "NUMBER", "in place of it: border c0, between -1 and 1",
+    {"--stick-slip-border", "NUMBER", "in place of it: border c0, above -1 and below 1",
      &SceneOptions::border},
     {"--creep-ratio", "NUMBER", "in place of it, with SI data: creep xi as a fraction of the speed",
      &SceneOptions::creep_ratio},
-    {"--tangential-load", "N/m", "in place of it, with SI data: load Q, between -f P and f P",
+    {"--tangential-load", "N/m", "in place of it, with SI data: load Q = Q* P",
      &SceneOptions::tangential_load}};
 
 template <std::size_t n>

@@ -157,7 +157,8 @@ ContactGrid at_creep(ContactGrid grid, double creep) {
   return grid;
 }
 
-/// The solution on the first grid that has an admissible one; no newton_steps if none has.
+/// The solution on the first grid that has an admissible one; else that of the finest grid, which
+/// may violate conditions or have no newton_steps.
 GridSolution coarse_full_slip(SlippingGrids& grids, double creep) {
   GridSolution level;
   for (int n = 10; n <= 80; n *= 2) {

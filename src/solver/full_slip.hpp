@@ -12,8 +12,9 @@ ContactGrid full_slip_grid(const Scene& scene, Formulation formulation, int n,
                            const SlipVariable& by = {});
 ContactGrid at_creep(ContactGrid grid, double creep);
 
-/// Solve in full slip for a creep; arguments and errors as for solve_coupled. Refuses a creep at
-/// which there is no contact by std::invalid_argument.
+/// Solve in full slip for a creep; arguments and errors as for solve_coupled. A solution that has a
+/// load but is no contact has its violations. A creep beyond the loss of contact is refused by
+/// std::invalid_argument, one for which nothing is found by std::runtime_error.
 CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep);
 
 /// Drop a backward slip over less than this length at the leading edge.

@@ -429,6 +429,12 @@ bool is_of_a_wheel(const PhysicalResults& x, double least) {
   return x.hertz_pressure < least && x.half_width <= 0.1;
 }
 
+double largest_friction(const Solution& x) {
+  const Scene& scene = x.scene;
+  if (!scene.law) return scene.friction;
+  return scene.friction * std::max(1.0, scene.law(x.value(max_temperature)).value);
+}
+
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
                                           double friction) {
   struct Limit {
@@ -452,9 +458,11 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       {"hertz_pressure", x.hertz_pressure, si.shear_modulus / 10, "a tenth of the shear modulus",
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
-      {"friction", friction, 2, "solids have 0.01 to 1.5", "is it a ratio and no percentage?"},
-      {"grueneisen", gamma, 5, "solids have 0.5 to 2",
-       "are expansion and diffusivity and conductivity in SI units?"},
+      {"friction", friction, 2, "solids have 0.01 to 1.5",
+       "is it a ratio and no percentage, and does its law hold at such temperatures?"},
+      {"grueneisen", gamma, 3, "solids have 0.5 to 2",
+       "is the modulus that of shear, and are expansion and diffusivity and conductivity in SI "
+       "units?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};
   std::vector<std::string> notes;
@@ -546,7 +554,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   const FoundPeaks peak = peaks(x);
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   set_sizes(y.value, si, x.value(load_ratio));
-  y.notes = beyond_the_model(y.value, si, x.scene.friction);
+  y.notes = beyond_the_model(y.value, si, largest_friction(x));
   y.heat_unit = unit.heat_flux * si.half_width;
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
