@@ -25,7 +25,7 @@ MatrixXd legendre(const ArrayXd& x, Index n) {
   return p;
 }
 
-static GaussLegendre make_rule(int n) {
+static GaussLegendre make_rule(int n, bool with_polynomials) {
   GaussLegendre rule{ArrayXd(n), ArrayXd(n), {}, {}, {}, {}};
   const auto size = static_cast<std::size_t>(n);
   gsl_integration_glfixed_table* table = gsl_integration_glfixed_table_alloc(size);
@@ -38,23 +38,28 @@ static GaussLegendre make_rule(int n) {
   rule.rho = (1 + rule.x) / 2;
   rule.cube = rule.rho.cube();
   const MatrixXd all = legendre(rule.x, n + 1);
-  rule.p = all.leftCols(n);
+  if (with_polynomials) rule.p = all.leftCols(n);
   const ArrayXd slope_of_p_n = n * (all.col(n - 1).array() - rule.x * all.col(n).array());
   rule.w = 2 * (1 - rule.x.square()) / slope_of_p_n.square();
   rule.dcube = 1.5 * rule.w * rule.rho.square();
   return rule;
 }
 
-const GaussLegendre& gauss_legendre(int n) {
-  static std::array<std::atomic<const GaussLegendre*>, 4096> made{};
-  auto& place = made.at(static_cast<std::size_t>(n));
+static const GaussLegendre& kept_rule(int n, bool with_polynomials) {
+  static std::array<std::atomic<const GaussLegendre*>, 4096> made[2] = {};
+  auto& place = made[with_polynomials ? 1 : 0].at(static_cast<std::size_t>(n));
   const GaussLegendre* kept = place;
   if (kept == nullptr) {
-    auto own = std::make_unique<const GaussLegendre>(n == 0 ? GaussLegendre{} : make_rule(n));
+    auto own = std::make_unique<const GaussLegendre>(n == 0 ? GaussLegendre{}
+                                                            : make_rule(n, with_polynomials));
     if (place.compare_exchange_strong(kept, own.get())) kept = own.release();
   }
   return *kept;
 }
+
+const GaussLegendre& gauss_legendre(int n) { return kept_rule(n, true); }
+
+const GaussLegendre& quadrature_rule(int n) { return kept_rule(n, false); }
 
 MatrixXd to_legendre(const GaussLegendre& rule) {
   const ArrayXd l = ArrayXd::LinSpaced(rule.x.size(), 0, static_cast<double>(rule.x.size() - 1));

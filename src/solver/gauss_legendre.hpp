@@ -18,8 +18,9 @@ struct GaussLegendre {
 /// A number for each node of a graded rule.
 using GradedArray = Eigen::Array<double, Eigen::Dynamic, 1, 0, most_unknowns + 24, 1>;
 
-/// The rule of n >= 0 nodes; made once per thread.
+/// The rule of n >= 0 nodes, made once; and without the polynomials, most of its memory.
 const GaussLegendre& gauss_legendre(int n);
+const GaussLegendre& quadrature_rule(int n);
 
 /// P_0 ... P_{n-1} at x, a column each.
 Eigen::MatrixXd legendre(const Eigen::ArrayXd& x, Eigen::Index n);

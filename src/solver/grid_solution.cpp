@@ -147,7 +147,7 @@ std::vector<Index> flux_maxima(const ContactGrid& grid, const VectorXd& h) {
 
 const GaussLegendre& rule_for_hottest(const ContactGrid& grid) {
   const auto nodes = static_cast<int>(grid.rules.fine.x.size());
-  return gauss_legendre(grid.nodes.y.size() > 12 ? nodes : nodes - 16);
+  return quadrature_rule(grid.nodes.y.size() > 12 ? nodes : nodes - 16);
 }
 
 HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSolution& last) {
@@ -164,7 +164,7 @@ HottestPoint hottest_on(const ContactGrid& grid, const VectorXd& h, const GridSo
     if (other.value > top.value * (1 + 1e-9)) top = other;
   };
   if (grid.bulk) {
-    const GaussLegendre& rough = gauss_legendre(32 + more_graded(at.variable));
+    const GaussLegendre& rough = quadrature_rule(32 + more_graded(at.variable));
     const HottestPoint other = hottest_elsewhere(at, conduction, smooth, top, rough, more);
     if (other.value > 0.97 * top.value) also_from({other.y, 0, -3});
   }

@@ -28,7 +28,7 @@ struct FastLimit {
     for (Eigen::Index i = 0; i < 20; ++i) {
       const double slip = 1 + rule.x(i), peclet = 1e7 / slip;
       const ZoneLengths at{slip, 2 - slip};
-      const HottestPoint top = find_hottest(at, peclet, carter_h(at, 1), {}, gauss_legendre(200));
+      const HottestPoint top = find_hottest(at, peclet, carter_h(at, 1), {}, quadrature_rule(200));
       y(i) = top.y;
       value(i) = top.value * std::sqrt(peclet) / std::pow(slip, 1.5);
       curvature(i) = top.curvature;

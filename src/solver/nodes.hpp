@@ -20,9 +20,9 @@ struct ZoneLengths {
   double c0() const { return (stick - slip) / 2; }
 };
 
-/// The rule of n nodes, rounded up to a multiple of the group.
+/// The rule of n nodes, rounded up to a multiple of the group, without polynomials.
 inline const GaussLegendre& rounded_up(int group, int n) {
-  return gauss_legendre((n + group - 1) / group * group);
+  return quadrature_rule((n + group - 1) / group * group);
 }
 
 /// By how many decades the speed lambda of a slip zone exceeds 1e4.

@@ -327,7 +327,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
   for (Index i = 0; i < 4; ++i)
     some(own + i) = 1 - x.slip * (1 - SlipPoint(1 + y(i), 1 - y(i), x.variable).t());
   const auto with = [&](int nodes, const ArrayXd& at) {
-    return surface_temperature(x.zones(), conduction, x.h, at, gauss_legendre(nodes));
+    return surface_temperature(x.zones(), conduction, x.h, at, quadrature_rule(nodes));
   };
   int nodes = 40;
   for (ArrayXd before = with(nodes, some);;) {
@@ -335,7 +335,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
     const double top = now.maxCoeff();
     const double error = quadrature_error(nodes, (now - before).abs().maxCoeff(), top);
     if (error <= tolerance * top / 2 || nodes >= most_unknowns) {
-      const SurfaceHeat heat = surface_heat(x.zones(), conduction, x.h, gauss_legendre(nodes));
+      const SurfaceHeat heat = surface_heat(x.zones(), conduction, x.h, quadrature_rule(nodes));
       const SurfaceCurve all = at_many_points(x.zones(), heat, s, tolerance * top / 2);
       return {all.temperature, error + all.error};
     }
@@ -346,7 +346,7 @@ SurfaceCurve surface_curve(const SmoothFlux& x, const Conduction& conduction, co
 Peak hottest_point(const SmoothFlux& x, const Conduction& conduction, double tolerance) {
   int nodes = 40;
   const auto find = [&](const HottestPoint& near) {
-    return find_hottest(x.zones(), conduction, x.h, near, gauss_legendre(nodes));
+    return find_hottest(x.zones(), conduction, x.h, near, quadrature_rule(nodes));
   };
   for (HottestPoint before = find(expected_hottest(x.zones(), conduction.peclet));;) {
     nodes += 8;
