@@ -188,6 +188,13 @@ void say_idle_law(const Solution& x) {
                hottest, law->of.scale);
 }
 
+void say_small_scale(const SceneOptions& o) {
+  const double scale = o.friction_temperature.value_or(1);
+  if (std::abs(scale) < 1)
+    std::fprintf(stderr, "thermoroll: note: --friction-temperature %.3g is in K with SI data\n",
+                 scale);
+}
+
 void say_idle_floor(const Solution& x) {
   const auto* law = x.scene.law.target<LawOfFriction>();
   if (law == nullptr || law->of.floor != 1 || law->of.scale < 0) return;
@@ -207,6 +214,7 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   say_reference(o);
   if (x.scene.bulk_difference != 0) say_direction(x);
   if (!physical) say_idle_law(x);
+  if (physical) say_small_scale(o);
   say_idle_floor(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
@@ -383,6 +391,7 @@ void run_law(const Options& o) {
     if (std::abs(end.creep) < far) print_notes({note_on(end, c.units, when)});
   }
   if (c.physical) print_notes(notes_on(*c.physical, c.scene.friction, 0, 0));
+  if (c.physical) say_small_scale(o.of_scene);
 }
 
 /// An end in the unit of its option, if it is given.

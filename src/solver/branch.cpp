@@ -535,7 +535,10 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
         "branch = falling does not exist: the traction has no maximum; it is " +
         range_text(sign * rest, most));
   if (limit && asked > limit->traction) refuse_above(*limit, asked, sign);
-  if (!limit) require(asked < top, "traction", sign * asked, range_text(sign * rest, most));
+  const auto is_highest = [&](const OnCurve& at) { return !is_lower(at, *highest); };
+  const bool flat = std::count_if(x.points.begin(), x.points.end(), is_highest) > 1;
+  const char* why = flat ? "; all slips at the largest, and the creep is not determined" : "";
+  if (!limit) require(asked < top, "traction", sign * asked, range_text(sign * rest, most) + why);
   if (branch == Branch::falling)
     require(asked > end, "traction", sign * asked,
             range_text(sign * (end + margin), most) + " on the falling branch");

@@ -686,9 +686,10 @@ SolvedScene solve_scene(const GivenScene& c) try {
   if (!c.physical || !about_it) throw;
   const std::string given = c.as_given.empty() ? "" : c.as_given + ": ";
   throw std::invalid_argument(given + text + told_in_si(c, refusal) + notes_told(c));
-} catch (const std::runtime_error&) {
+} catch (const std::runtime_error& failure) {
   if (!c.physical) throw;
-  throw_again_with(notes_told(c));
+  const bool tells_a_creep = std::string(failure.what()).find(" creep") != std::string::npos;
+  throw_again_with((tells_a_creep ? units_told(c) : "") + notes_told(c));
 }
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {

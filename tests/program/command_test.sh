@@ -998,6 +998,8 @@ NotesOnCreepCurves() {
   # A law that rises without end, and Young's modulus in place of that of shear.
   run solve "${wheel[@]/#0.6/0.3}" --roller identical --creep-ratio 0.02 --friction-law linear --friction-temperature -40
   grep -q '^thermoroll: note: friction = [0-9.]* is above 2 ' err || fail "$(cat err)"
+  run solve "${wheel[@]}" --roller identical --creep-ratio 0.002 --friction-law linear --friction-temperature 0.02 --friction-floor 0.5
+  grep -qx 'thermoroll: note: --friction-temperature 0.02 is in K with SI data' err || fail "$(cat err)"
   run solve "${wheel[@]/8.1e10/2.1e11}" --creep-ratio 0.002
   grep -q '^thermoroll: note: grueneisen = 4.2[0-9]* is above 3 ' err || fail "$(cat err)"
   run law --friction 0.6 --peclet 1e5 --heating 30 --format json
@@ -1022,6 +1024,8 @@ NotesOnFailures() {
   fails 2 "creep-ratio = 0.9: creep = " " creep 1 is creep-ratio [0-9.e-]*); note: creep_ratio = 0.9 is above 0.1 .*$about" \
     solve "${wheel[@]/1.4e-5/14}" --creep-ratio 0.9
   fails 2 "creep = 20 is" "); note: creep_ratio = 0.754 is above 0.1 .*$about" solve "${wheel[@]/1.4e-5/14}" --creep 20
+  fails 1 "coupled: no contact found in full slip at the creep 26" " (traction 1 is 1.2e+07 N/m, creep 1 is creep-ratio 0.03[0-9]*); note: creep_ratio = 100 .*" \
+    solve "${wheel[@]/#0.6/0.3}" --creep-ratio 100
   fails 1 "law: " "$about" law "${wheel[@]/1.1e-5/11}"
   fails 1 "law: " "$about" creep-curve "${wheel[@]/1.1e-5/11}"
   fails 2 "to-ratio = 0.01 is" ", where the curve ends: .*$about" creep-curve "${si[@]/1.4e-5/14}" --to-ratio 0.01

@@ -1147,6 +1147,20 @@ TEST(HotFriction, RefusesBeyondTheMaximum) {
   EXPECT_TRUE(refused(floor, {Quantity::traction, 0.17, Branch::falling}, "on the falling branch"));
 }
 
+// Below the reference temperature all creeps of full slip have the traction f.
+TEST(HotFriction, AFlatTractionHasNoCreep) {
+  const Scene cold = hot(100, 0.0175, linear_friction({0.02, 0, 0.05}));
+  try {
+    solve(cold, {Quantity::traction, cold.friction, Branch::rising}, 1e-6);
+    FAIL() << "it has a creep";
+  } catch (const std::invalid_argument& refusal) {
+    const std::string message = refusal.what();
+    EXPECT_NE(message.find("all slips at the largest, and the creep is not determined"),
+              std::string::npos)
+        << message;
+  }
+}
+
 // The ends of the ranges that refusals name are accepted, but for 0, at which nothing slips, on
 // either side of free rolling; also where the falling branch is flat, next to a floor of 0.9995.
 TEST(HotFriction, RangesAreAccepted) {
