@@ -35,7 +35,7 @@ set label 'cached' at 1.75, 2.6e4 left
 set label 'product integration' at 5, 2e6 left
 set label 'graded panels' at 10.2, 1.1e5 right
 set label 'coupled' at 8.4, 1.6e3 left
-set label 'first order' at 5.05, 4.8e4 left
+set label 'first order' at 5.15, 2.1e3 right
 set label 'closed form' at 2.75, 272 left
 eval "plot ".curve('gauss_chebyshev', 'published scheme', 3, 5).', ' \
   .curve('thrifty', 'cached', 4, 13).', '.curve('moments', 'product integration', 2, 9).', ' \

@@ -883,6 +883,7 @@ TEST(Solution, NotesBeginAtTheLimits) {
   for (int i = 0; i < 400; ++i) {
     PhysicalScene c = wheel_on_rail();
     c.poisson = 0.4;
+    c.expansion /= 2;  // Grueneisen's number would be above 3
     c.half_width *= log_uniform(0.05, 1);
     c.speed *= log_uniform(0.01, 1);
     const bool brakes = i % 2 == 1, has_bulk = i % 4 > 1;
