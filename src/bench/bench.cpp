@@ -146,20 +146,22 @@ std::vector<Ratio> ratios_in_turns;
 
 using Solve = std::function<void()>;
 
-double seconds(const Solve& solve) {
+double seconds(const Solve& solve, int times) {
   const std::clock_t start = std::clock();
-  solve();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  for (int k = 0; k < times; ++k) solve();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / times;
 }
 
 void in_turns(benchmark::State& state, const Solve& alone, const Solve& extended,
               std::size_t index) {
   std::vector<double> ratios;
+  int times = 1;
   for (auto _ : state) {
     state.PauseTiming();
-    const double unit = seconds(alone);
+    const double unit = seconds(alone, times);
     state.ResumeTiming();
-    ratios.push_back(seconds(extended) / unit);
+    ratios.push_back(seconds(extended, 1) / unit);
+    times = static_cast<int>(std::clamp(ratios.back(), 1.0, 1000.0));
   }
   Ratio& all = ratios_in_turns[index];
   if (state.iterations() > all.iterations) all.medians.clear();  // those were trials
