@@ -190,7 +190,7 @@ void say_idle_law(const Solution& x) {
 
 void say_small_scale(const SceneOptions& o) {
   const double scale = o.friction_temperature.value_or(1);
-  if (std::abs(scale) < 1)
+  if (o.speed && std::abs(scale) < 1)
     std::fprintf(stderr, "thermoroll: note: --friction-temperature %.3g is in K with SI data\n",
                  scale);
 }
@@ -214,7 +214,7 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   say_reference(o);
   if (x.scene.bulk_difference != 0) say_direction(x);
   if (!physical) say_idle_law(x);
-  if (physical) say_small_scale(o);
+  say_small_scale(o);
   say_idle_floor(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
@@ -391,7 +391,7 @@ void run_law(const Options& o) {
     if (std::abs(end.creep) < far) print_notes({note_on(end, c.units, when)});
   }
   if (c.physical) print_notes(notes_on(*c.physical, c.scene.friction, 0, 0));
-  if (c.physical) say_small_scale(o.of_scene);
+  say_small_scale(o.of_scene);
 }
 
 /// An end in the unit of its option, if it is given.
@@ -456,6 +456,7 @@ void run_creep_curve(const Options& o) {
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);
+  say_small_scale(o.of_scene);
   print_notes(notes_on_ends(law, from, to, c.units));
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical, c.scene.friction));
 }

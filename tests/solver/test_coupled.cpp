@@ -861,6 +861,15 @@ double distance(const thermoroll::SlipPoint& a, const thermoroll::SlipPoint& b, 
   return apart;
 }
 
+// They would be most of the memory of a long sweep.
+TEST(Coupled, QuadratureRulesHaveNoPolynomials) {
+  const thermoroll::GaussLegendre &full = thermoroll::gauss_legendre(44),
+                                  &bare = thermoroll::quadrature_rule(44);
+  EXPECT_EQ(full.p.size(), 44 * 44);
+  EXPECT_EQ(bare.p.size(), 0);
+  EXPECT_TRUE((bare.x == full.x).all() && (bare.w == full.w).all());
+}
+
 // @eq:crowded with beta > 0: the sum of all du is 1, psi is a quotient of hyperbolic tangents, the
 // distance of two points is the same next to both ends, as far as the distance of their y is, y is
 // found again from t, and a graded rule has the same points, however near to its target. A rule of
