@@ -23,6 +23,8 @@ awk 'BEGIN {
 }' >scenes.csv
 checked 0 solve "${paper_scene[@]}" --profile p.csv --format json
 checked 0 solve "${paper_scene[@]}" --method closed-form
+checked 0 solve "${paper_scene[@]}" --method first-order --tolerance 1e-2
+checked 0 solve "${paper_scene[@]}" --method coupled
 checked 0 solve "${paper_scene[@]}" --method gauss-chebyshev --nodes 50
 checked 0 temperature "${paper_scene[@]}" --at -1:3:9
 checked 2 solve "${paper_scene[@]}" --creep 1

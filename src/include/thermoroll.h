@@ -179,7 +179,7 @@ struct thermoroll_law_info {
 struct thermoroll_law_value {
   uint32_t size;           ///< sizeof(struct thermoroll_law_value), set by the caller in the first
   int32_t status;          ///< 0 or 2
-  double traction;         ///< Q*, or Q in N/m, with the sign of the creep
+  double traction;         ///< Q*, or Q in N/m; with one bulk temperature it has the creep's sign
   double slope;            ///< dQ*/dxi*, or dQ/dxi in N/m, without an error
   double max_temperature;  ///< the largest T*, or rise in degree C
   double stick_slip_border;                                               ///< c0, -1 in full slip
@@ -204,7 +204,7 @@ THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
                                        int threads);
 
 /// Solve a scene and evaluate its curves at `count` points from s = -1 to 1, 2 to 100000, which are
-/// dense at the edges and at the border. Where the scene has THERMOROLL_AS_GIVEN, the caller has
+/// dense at the edges and at the border; with a bulk difference they leave the edges out. Where the scene has THERMOROLL_AS_GIVEN, the caller has
 /// set s and depth of 1 to 100000 points, and the temperatures there are told; the published scheme
 /// has them at depth 0 only, without errors. Returns the status of the scene, which its result has
 /// too; what is told of a scene that failed is NaN. Returns 2, and writes nothing, if an array is

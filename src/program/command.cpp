@@ -76,7 +76,8 @@ CLI::Validator readable_file() {
 }
 
 bool is_key(const CLI::App& command, const std::string& name) {
-  const std::set<std::string> others{"output", "profile", "resume", "part", "datapackage", "help"};
+  const std::set<std::string> others{"output",      "profile", "resume", "part",
+                                     "datapackage", "times",   "help"};
   return command.get_option_no_throw("--" + name) != nullptr && others.count(name) == 0;
 }
 
@@ -100,14 +101,17 @@ bool is_replaced(const CLI::App& command, const std::string& name) {
   return false;
 }
 
-long lines_with(const std::string& key, const std::string& text) {
+std::vector<std::string> values_of_key(const std::string& key, const std::string& text) {
   std::istringstream lines(text);
-  long count = 0;
+  std::vector<std::string> values;
   for (std::string line; std::getline(lines, line);) {
     const std::string name = hyphenated(line.substr(0, line.find_first_of(" \t=")));
-    if (name == key && line.find('=') != std::string::npos) ++count;
+    const std::size_t equals = line.find('=');
+    if (name != key || equals == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(" \t", equals + 1);
+    values.push_back(begin == std::string::npos ? "" : line.substr(begin));
   }
-  return count;
+  return values;
 }
 
 /// Null if there is none of this name.
@@ -138,13 +142,12 @@ class SceneFile : public CLI::ConfigBase {
         throw std::invalid_argument("the scene file sets what is no option for it: " +
                                     (item.parents == here ? item.name : item.fullname()) +
                                     (command == nullptr ? "" : key_meant(*command, item.name)));
-      const std::size_t at = whole.find(item.name);
-      const bool bracketed = whole.find('[', at) < whole.find('\n', at);
-      if (item.inputs.size() > 1 && !bracketed && lines_with(item.name, whole) == 1)
+      const std::vector<std::string> values = values_of_key(item.name, whole);
+      if (item.inputs.size() > 1 && values.size() == 1 && values[0].rfind('[', 0) != 0)
         item.inputs = {joined(item.inputs, " ")};
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
         throw std::invalid_argument("the scene file gives " + item.name + " more than once");
-      if (!is_replaced(*command, item.name)) known.push_back(item);
+      if (item.parents == here && !is_replaced(*command, item.name)) known.push_back(item);
     }
     return known;
   }

@@ -36,11 +36,19 @@ std::string error_column(std::string name) {
   return (inner ? object : "") + "error_estimate." + name.substr(inner ? object.size() : 0);
 }
 
+std::string unit_of_cell(const SweepTable& t, const std::string& option) {
+  const bool si = std::any_of(t.fields.begin(), t.fields.end(),
+                              [](const std::string& x) { return x.rfind("physical.", 0) == 0; });
+  if (si && option == "friction-temperature") return "K";
+  if (si && option == "friction-reference-temperature") return "degree C";
+  return unit_of_option(option);
+}
+
 ordered_json field_of(const SweepTable& t, const WrittenColumn& x) {
   const bool is_label = x.cell && t.columns[*x.cell].is_label;
   ordered_json o{{"name", x.name}, {"type", is_label ? "string" : type_of(x.name)}};
   if (is_label || o["type"] == "string" || o["type"] == "boolean") return o;
-  const std::string option = x.cell ? unit_of_option(t.columns[*x.cell].option) : "";
+  const std::string option = x.cell ? unit_of_cell(t, t.columns[*x.cell].option) : "";
   const ColumnMeaning meaning = meaning_of(x.name);
   if (!meaning.symbol.empty()) o["symbol"] = meaning.symbol;
   const std::string unit = option.empty() ? meaning.unit : option;

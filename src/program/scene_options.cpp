@@ -514,7 +514,8 @@ std::string hyphenated(std::string name) {
 }
 
 std::optional<double> to_number(const std::string& text) {
-  const char *begin = text.data() + (text.rfind('+', 0) == 0), *end = text.data() + text.size();
+  const bool plus = text.rfind('+', 0) == 0 && text.rfind("+-", 0) != 0;
+  const char *begin = text.data() + plus, *end = text.data() + text.size();
   double x = 0;
   const auto [behind, failed] = std::from_chars(begin, end, x);
   if (failed != std::errc() || behind != end || !std::isfinite(x)) return std::nullopt;

@@ -131,6 +131,8 @@ void check_complete(const SweepTable& t) {
     throw std::invalid_argument("the header lacks peclet (or data in SI units)");
   if (!has_option(t, "peclet") && !missing.empty())
     throw std::invalid_argument("the header lacks, of data in SI units:" + missing);
+  if (!has_option(t, "peclet") && !has_option(t, "half-width") && !has_option(t, "radius"))
+    throw std::invalid_argument("the header lacks half-width or radius");
   for (const std::string& name : t.how.keep)
     if (name != "id" && std::none_of(t.columns.begin(), t.columns.end(), [&](const ReadColumn& x) {
           return x.is_label && hyphenated(x.name) == hyphenated(name);
@@ -165,6 +167,7 @@ std::string value_in(const std::vector<Setting>& row, const std::string& option)
 bool was_filled(const std::string& option, const std::string& given,
                 const std::vector<Setting>& row) {
   if (is_given_option(option)) return option != given;
+  if (option == "direction") return given != "stick-slip-border";
   if (option == "branch") return given != "traction" && given != "tangential-load";
   const bool si =
       std::any_of(row.begin(), row.end(), [](const Setting& x) { return is_si_option(x.option); });
@@ -306,7 +309,10 @@ bool has_failed(const SweepTable& t, const std::string& row) {
   if (t.how.format == RowFormat::jsonl) {
     const auto o = nlohmann::json::parse(row, nullptr, false);
     const auto status = o.find("status");
-    return status != o.end() && *status != 0;
+    const bool has_status = o.is_object() && status != o.end();
+    if (!o.is_object() || (has_status && !status->is_number()))
+      throw std::invalid_argument("no row of results");
+    return has_status && *status != 0;
   }
   std::vector<std::string> cells;
   read_cells(row.substr(0, row.size() - 1), cells);
@@ -420,7 +426,7 @@ RowsSoFar rows_so_far(const SweepTable& t, std::istream& file, bool has_header) 
     ++x.rows;
     try {
       x.failed += has_failed(t, line);
-    } catch (const std::invalid_argument&) {  // its quotes
+    } catch (const std::invalid_argument&) {
       throw std::invalid_argument("has a row that no sweep has written: row " +
                                   std::to_string(x.rows));
     }

@@ -486,8 +486,7 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   check(scene);
   check_with_sign(scene, given);
   check_method(scene, given, approach.method);
-  if (approach.method != Method::closed_form && approach.method != Method::gauss_chebyshev)
-    check_tolerance(approach.tolerance);
+  if (approach.method != Method::gauss_chebyshev) check_tolerance(approach.tolerance);
   const Scene turned = directed(scene, given);
   const bool braking =
       given.quantity != stick_slip_border && turned.direction == Direction::braking;

@@ -222,9 +222,10 @@ Benchmarks read_benchmarks(const std::string& path) try {
   found.compiler = context.value("compiler", "an unknown compiler");
   return found;
 } catch (const nlohmann::json::exception&) {
-  throw std::runtime_error(path + " is not the output of thermoroll-bench: it has other contents");
+  throw std::invalid_argument(path +
+                              " is not the output of thermoroll-bench: it has other contents");
 } catch (const std::exception& error) {
-  throw std::runtime_error(path + " is not the output of thermoroll-bench: " + error.what());
+  throw std::invalid_argument(path + " is not the output of thermoroll-bench: " + error.what());
 }
 
 std::vector<std::string> timed_data_names() {

@@ -25,7 +25,7 @@ struct Benchmarks {
 std::string judgement(double ratio, double spread, double bar, bool at_least);
 
 /// Read what thermoroll-bench --benchmark_format=json has written; the median of the repetitions
-/// of each benchmark. Throws std::runtime_error for a file that is not such.
+/// of each benchmark. Throws std::invalid_argument for a file that is not such.
 Benchmarks read_benchmarks(const std::string& path);
 
 /// The names that write_timed_data knows.

@@ -1208,6 +1208,10 @@ SceneFile() {
   { echo '[temperature]'; echo 'at = 0.5'; echo '[solve]'; echo 'format = "json"'; cat wheel.toml; } >both.toml
   answers solve --config both.toml
   cmp out by-options || fail "the section is another scene"
+  { cat wheel.toml; echo '[temperature]'; echo 'friction = 0.9'; echo 'roller = "identical"'; echo '[sweep]'
+    echo 'tolerance = 0.5'; echo 'creep = 0.1'; } >sections.toml
+  answers solve --config sections.toml --format json
+  cmp out by-options || fail "the section of another subcommand makes another scene"
   sed -i 's/= 0.6/= 0.7/' wheel.toml
   answers solve --config wheel.toml --format json --friction 0.6
   cmp out by-options || fail "the option does not take precedence"
@@ -1248,6 +1252,7 @@ BadSceneFiles() {
   bad "gives peclet more than once" 'peclet = [100, 200]'
   bad "half-width = 7.8e-3 m is not allowed: it must be a finite number in m" 'half_width = 7.8e-3 m'
   bad "peclet = 1 000 is not allowed: it must be a finite number" 'peclet = 1 000'
+  bad "load = 1 N/m is not allowed: it must be a finite number in N/m" $'# load [N/m]\nload = 1 N/m'
   [ ! -e other ] || fail "a file was written"
   refuses 2 "A subcommand is required" --config bad.toml
   refuses 2 "cannot read the scene file nowhere.toml: No such file or directory" solve --config nowhere.toml
@@ -1264,7 +1269,7 @@ BadSceneFiles() {
 
 BadNumbers() {
   local text
-  for text in nan -nan NaN inf -inf infinity 1e400 abc 0x 0x10 ++1 ' 1' 1e3abc 1,5 "" "1 2" $'1\n2' --; do
+  for text in nan -nan NaN inf -inf infinity 1e400 abc 0x 0x10 ++1 +-1 ' 1' 1e3abc 1,5 "" "1 2" $'1\n2' --; do
     refuses 2 "is not allowed: it must be a finite number" \
       solve --friction 0.6 --traction 0.5 --peclet "$text" --heating 0
     refuses 2 "is not allowed: it must be a finite number" \
@@ -2341,10 +2346,12 @@ FigureData() {
   ! grep -q 'did you mean' err || fail "$(cat err)"
   refuses 2 "NAME = ../kernels is not allowed" figure-data ../kernels
   local words="is not the output of thermoroll-bench"
-  refuses 1 "/dev/null $words: it is not JSON" figure-data speed --times /dev/null
-  refuses 1 "nowhere $words: it cannot be read" figure-data speed --times nowhere
+  refuses 2 "/dev/null $words: it is not JSON" figure-data speed --times /dev/null
+  refuses 2 "nowhere $words: it cannot be read" figure-data speed --times nowhere
   echo '{"benchmarks": 1}' >other
-  refuses 1 "other $words: it has other contents" figure-data speed --times other
+  refuses 2 "other $words: it has other contents" figure-data speed --times other
+  echo 'times = "other"' >times.toml
+  refuses 2 "no option for it: times" figure-data speed --config times.toml
 }
 
 ClaimsInThreeFormats() { # slow

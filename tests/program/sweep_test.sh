@@ -243,6 +243,8 @@ BadHeaders() {
   bad "the header lacks traction, creep, stick-slip-border or, with data in SI units, creep-ratio or tangential-load" 'friction,peclet'
   bad "the header lacks peclet (or data in SI units)" 'friction,traction'
   bad "the header lacks, of data in SI units: load shear-modulus poisson" 'friction,traction,speed'
+  bad "the header lacks half-width or radius" \
+    'friction,traction,load,speed,shear-modulus,poisson,expansion,diffusivity,conductivity'
   bad "the lines end in carriage returns alone" 'friction,traction,peclet\r0.6,0.5,100\r'
   bad "the header names what is no option of solve: --friction" '--friction,traction,peclet'
   bad "the header names what is no option of solve: help" 'friction,traction,help'
@@ -346,6 +348,19 @@ END
   "$program" sweep first.csv --given creep --columns id,friction,creep,peclet,heating,model | head -3 >second.csv || true
   answers sweep second.csv
   refuses 2 "given = traction is not allowed: the header lacks it" sweep second.csv --given traction
+  # the direction is a result, too: that of the slip, where the bulk temperatures differ
+  printf '%s\n' friction,stick_slip_border,peclet,heating,roller,direction,bulk_difference \
+    0.6,0.3,100,0.0175,identical,driving,0.002 0.6,0.3,100,0.0175,identical,braking,0.002 >scenes.csv
+  sweeps 0
+  cp results.csv first.csv
+  for given in traction creep stick_slip_border; do
+    "$program" sweep first.csv --given $given --output results.csv || fail "$given was not swept again: $(cat results.csv)"
+    for row in 1 2; do
+      awk -v a="$(cell stick_slip_border $row)" -v b="$(cell stick_slip_border $row first.csv)" \
+        'BEGIN { d = a - b; exit !(d * d < 1e-12 && a != "") }' || fail "$given: $(cat results.csv)"
+      [ "$(cell direction $row)" = "$(cell direction $row first.csv)" ] || fail "$given: $(cat results.csv)"
+    done
+  done
 }
 
 # The columns asked for, in their order, under either spelling.
@@ -419,6 +434,16 @@ unit = lambda name: fields[name]["unit"]
 assert [unit(x) for x in ("speed", "creep", "physical.hertz_pressure", "physical.error_estimate.radius")] == ["m/s", "1", "Pa", "m"]
 assert fields["creep"]["symbol"] == "xi*" and fields["creep"]["errorColumn"] == "error_estimate.creep"
 assert fields["physical.radius"]["errorColumn"] == "physical.error_estimate.radius"
+END
+  printf '%s\n' traction,friction_law,friction_temperature,bulk_temperature,friction_reference_temperature \
+    0.3,linear,800,20,50 >law.csv
+  "$program" sweep law.csv --config wheel.toml --output law-rows.csv --datapackage law.json || fail "no results"
+  python3 - <<'END' || fail "$(cat law.json)"
+import json
+fields = {x["name"]: x for x in json.load(open("law.json"))["resources"][0]["schema"]["fields"]}
+assert fields["friction_temperature"]["unit"] == "K", fields
+assert fields["friction_reference_temperature"]["unit"] == "degree C", fields
+assert fields["bulk_temperature"]["unit"] == "degree C", fields
 END
   refuses 2 "it must stand above or beside the results" sweep scenes.csv --config wheel.toml --output all.csv --datapackage results/p.json
   refuses 2 "--datapackage describes the results of a whole table" sweep scenes.csv --config wheel.toml --datapackage p.json
@@ -576,7 +601,7 @@ ResumesNothingElse() {
   refuses 2 "it has a row that no sweep has written: row 2" sweep scenes.csv --resume open.csv
   for text in '{"status": "x"}' '{"status": {}}' '["status"]' 7 words; do
     echo "$text" >some.json
-    refuses 2 "it ends with another row" sweep scenes.csv --format jsonl --resume some.json
+    refuses 2 "it has a row that no sweep has written: row 1" sweep scenes.csv --format jsonl --resume some.json
     [ "$(cat some.json)" = "$text" ] || fail "the file was changed: $(cat some.json)"
   done
   refuses 2 "resume = . is not allowed: it must be a file" sweep scenes.csv --resume .

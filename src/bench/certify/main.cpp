@@ -42,7 +42,13 @@ int main(int count, char** words) {
                 when.c_str());
     std::fflush(stdout);
   };
-  if (part == "temperatures") certified_temperatures(rows);
-  if (part == "tables") certified_tables(rows);
-  if (part == "first-order") certified_first_order(rows);
+  if (part == "temperatures")
+    certified_temperatures(rows);
+  else if (part == "tables")
+    certified_tables(rows);
+  else if (part == "first-order")
+    certified_first_order(rows);
+  else
+    return 2;
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? 0 : 1;
 }

@@ -206,7 +206,7 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 /// The heat flux v* p* of a solution.
 HeatFlux coupled_flux(const CoupledSolution& x);
 
-/// Functions of the position along the contact, at ascending s inside (-1, 1); dimensionless.
+/// Functions of the position along the contact, at ascending s in [-1, 1]; dimensionless.
 struct Profile {
   Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
   /// The fluxes into the half-space and into the cylinder, which add up to heat_flux; in profile()

@@ -55,7 +55,8 @@ struct CreepRange {
   double to = std::numeric_limits<double>::infinity();
 };
 
-/// A law evaluated at a creep; dimensionless, the traction with the creep's sign.
+/// A law evaluated at a creep; dimensionless. The traction has the creep's sign, and with a bulk
+/// difference that of the state without slip is added.
 struct LawValue {
   double traction, slope;  ///< Q*, dQ*/dxi*
   double temperature;      ///< the largest T*

@@ -468,7 +468,7 @@ class LawValues:
     Dimensionless, or of data in SI units with what follows "or".
     """
 
-    traction: NDArray  #: Q*, or Q in N/m, with the sign of the creep
+    traction: NDArray  #: Q*, or Q in N/m; with one bulk temperature it has the creep's sign
     slope: NDArray  #: dQ*/dxi*, or dQ/dxi in N/m; it has no error estimate
     max_temperature: NDArray  #: the largest T*, or rise in degree C
     stick_slip_border: NDArray  #: c0, -1 in full slip
