@@ -67,7 +67,7 @@ struct thermoroll_scene {
   int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
   double given;       ///< its value: Q*, xi*, xi or Q in N/m, negative for braking, or c0
   double friction;    ///< f > 0
-  double peclet;      ///< Pe = V a / 2k > 0
+  double peclet;      ///< Pe = V a / 2k, at least 1e-280
   double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
   int32_t roller;     ///< enum thermoroll_roller; insulated: all heat into the half-space
   int32_t direction;  ///< enum thermoroll_direction; driving. Of a border; others have a sign

@@ -70,7 +70,7 @@ int newton(const ContactGrid& grid, double share, Eigen::VectorXd& h);
 Eigen::VectorXd carter_h(const ContactGrid& grid);
 
 /// Solve by Newton's method from h or, if that root is inadmissible, by continuation in H from
-/// Carter's h; steps at the full H, 0 if it fails.
+/// Carter's h; steps at the full H, 0 if both fail. If only the continuation does, h is that root.
 int solve_flux(const ContactGrid& grid, Eigen::VectorXd& h);
 
 /// The factors of the tractions (@sec:admissibility) for an h: p-hat at all nodes; v-hat at the

@@ -791,9 +791,10 @@ CrossingFlux flux_for_depths(const Scene& scene, Formulation formulation, const 
   };
   ArrayXd coarse = ArrayXd::Zero(s.size()), fine = coarse;
   const int n = std::max(60, static_cast<int>(by.h.size()));
-  solved_with(n, coarse);
+  const bool finer = 3 * most_unknowns >= 4 * n;
+  solved_with(finer ? n : 3 * n / 4, coarse);
   CrossingFlux crossing;
-  for (const ExchangedFlux& e : solved_with(std::min(4 * n / 3, most_unknowns), fine))
+  for (const ExchangedFlux& e : solved_with(finer ? 4 * n / 3 : n, fine))
     for (const HeatFlux& zone : heat_fluxes(e)) crossing.zones.push_back(zone);
   crossing.error = (fine - coarse).abs().maxCoeff();
   return crossing;

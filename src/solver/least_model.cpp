@@ -47,7 +47,8 @@ HottestPoint fast_limit(const ZoneLengths& at, double friction, double peclet) {
 
 const GaussLegendre& graded_nodes(double tolerance, double lambda) {
   const double digits = std::ceil(-std::log10(tolerance));
-  const double nodes = 8 + std::ceil(7 * digits + 3 * decades_beyond(lambda));
+  const double by_digits = 8 + std::ceil(7 * digits + 3 * decades_beyond(lambda));
+  const double nodes = std::max(by_digits, std::pow(60 / tolerance, 1 / 6.0));
   return rounded_up(8, static_cast<int>(std::min(nodes, most_unknowns + 24.0)));
 }
 

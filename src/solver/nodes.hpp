@@ -163,8 +163,8 @@ struct Nodes {
   Eigen::ArrayXd y, t, s, sigma;  // slip zone (n); sigma = 1 + s, or 1 in full slip
   Eigen::ArrayXd d, r;            // stick zone (m): distances from the border and positions
   Eigen::ArrayXd over_w;          // weights of dr / w at the stick nodes
-  Eigen::VectorXd over_root;  // weights of dt / sqrt(1 - t^2) at all n + m, the slip nodes first
-  Eigen::VectorXd heat;       // weights of g dt, on h at the slip nodes, per slip^2
+  Eigen::VectorXd over_root;  // weights of ds / sqrt(1 - s^2) at all n + m, the slip nodes first
+  Eigen::VectorXd heat;       // weights of g ds, on h at the slip nodes, per slip^2
 };
 
 /// The ten Legendre coefficients of Carter's h for y = psi.

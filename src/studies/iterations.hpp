@@ -23,7 +23,7 @@ int anderson(const FluxMap& map, Eigen::VectorXd& h, Eigen::Index depth = 5);
 int newton(const FluxMap& map, Eigen::VectorXd& h);
 
 /// Continuation by Newton's method: h goes from the solution at one H > 0 to that at another. The
-/// number of Newton steps, 0 if H cannot be raised by a thousandth.
+/// number of Newton steps of accepted tries, 0 if H cannot be raised by a thousandth.
 int follow(const FluxMap& unit, double from, double to, Eigen::VectorXd& h);
 
 /// The spectral radius of @eq:linearised: by how much a step of Picard's iteration with this

@@ -123,6 +123,9 @@ TEST(Scene, RefusesWhatMakesNoSense) {
     expect_refusal(friction(x), "friction", x, "positive");
   for (const double x : {0.0, -4360.0, not_a_number, infinity, -infinity})
     expect_refusal(Scene{good.friction, x, good.heating}, "peclet", x, "positive");
+  const double tiny = std::nextafter(1e-280, 0);  // kernels are not told apart below this speed
+  expect_refusal(Scene{good.friction, tiny, good.heating}, "peclet", tiny, "at least 1e-280");
+  EXPECT_NO_THROW(thermoroll::check(Scene{good.friction, 1e-280, good.heating}));
   for (const double x : {-1e-9, not_a_number, infinity, -infinity})
     expect_refusal(Scene{good.friction, good.peclet, x}, "heating", x, "zero or positive");
 
