@@ -86,7 +86,8 @@ std::string key_meant(const CLI::App& command, const std::string& name) {
   for (const CLI::Option* option : command.get_options())
     if (const std::string key = option->get_name().substr(2); is_key(command, key))
       keys.push_back(key);
-  const std::string key = nearest(name, keys);
+  const std::string key = nearest(name, keys), place = instead_of("--" + name);
+  if (!place.empty()) return " (" + place + ")";
   return key.empty() ? "" : " (did you mean " + key + "?)";
 }
 

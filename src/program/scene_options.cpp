@@ -351,17 +351,6 @@ std::string name_or(const CLI::Option* option, const std::string& other) {
   return option == nullptr ? other : option->get_name();
 }
 
-std::string instead_of(const std::string& name) {
-  static const std::map<std::string, const char*> places{
-      {"--radius", "a curve keeps the half-width: that of solve --radius"},
-      {"--radius-2", "for two rollers --radius is R1 R2 / (R1 + R2)"},
-      {"--hertz-pressure", "--load is pi / 2 times it and the half-width"},
-      {"--shear-modulus-2", "both bodies have the same elastic constants"},
-      {"--poisson-2", "both bodies have the same elastic constants"}};
-  const auto found = places.find(name);
-  return found == places.end() ? "" : found->second;
-}
-
 std::string meant(const std::string& word, const CLI::App& app) {
   std::vector<std::string> names;
   if (word.find("--") == 0)
@@ -533,6 +522,17 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
     most = distance;
   }
   return found;
+}
+
+std::string instead_of(const std::string& name) {
+  static const std::map<std::string, const char*> places{
+      {"--radius", "a curve keeps the half-width: that of solve --radius"},
+      {"--radius-2", "for two rollers --radius is R1 R2 / (R1 + R2)"},
+      {"--hertz-pressure", "--load is pi / 2 times it and the half-width"},
+      {"--shear-modulus-2", "both bodies have the same elastic constants"},
+      {"--poisson-2", "both bodies have the same elastic constants"}};
+  const auto found = places.find(name);
+  return found == places.end() ? "" : found->second;
 }
 
 std::string reworded(const CLI::ParseError& error, const CLI::App& app) {

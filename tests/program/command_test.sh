@@ -1243,6 +1243,8 @@ BadSceneFiles() {
   bad "no option for it: nowhere.peclet" $'[nowhere]\npeclet = 100'
   bad "no option for it: temperature.pecle" $'peclet = 100\n[temperature]\npecle = 100'
   bad "no option for it: help" $'peclet = 100\nhelp = true'
+  echo 'radius = 0.46' >radius.toml
+  refuses 2 "no option for it: radius (a curve keeps the half-width: that of solve --radius)" creep-curve --config radius.toml
   bad "peclet = abc is not allowed: it must be a finite number" 'peclet = abc'
   bad "peclet = nan is not allowed: it must be a finite number" 'peclet = nan'
   bad "peclet =  is not allowed" 'peclet = '
