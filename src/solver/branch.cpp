@@ -82,23 +82,39 @@ GridSolution continued(const Points& points, double rho) {
   return start;
 }
 
+/// Put samples between the last one before a place without a solution and that place.
+void approach_end(CurveSamples& x, double asked, double place) {
+  const auto before = [&](const OnCurve& a) { return a.rho < place; };
+  auto size = static_cast<std::size_t>(std::count_if(x.points.begin(), x.points.end(), before));
+  for (int k = 0; k < 6 && size > 0 && x.points[size - 1].traction() < asked; ++k) {
+    const double middle = (x.points[size - 1].rho + place) / 2;
+    const bool solved = add(x, size, middle, x.points[size - 1].solution);
+    if (solved) ++size;
+    if (!solved) place = middle;
+  }
+}
+
 CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) {
   CurveSamples x{curve};
   const double more = beyond_no_slip(curve.scene, {traction, asked}).value;
   const double share = std::clamp(more / curve.scene.friction, 1e-6, 0.8);
   const double first = std::sqrt(share / (1 + std::sqrt(1 - share)));  // slip is 2 first^2
   const auto falls = [&](std::size_t i) { return is_lower(x.points[i], x.points[i - 1]); };
+  double unsolved = 2;
   for (const double place :
        {0.0, 0.25, 0.5, 0.7, 0.85, 0.95, 1.0, 1.1, 1.3, 1.5, 1.7, 1.85, 1.95, 1.99, 1.999}) {
     const std::size_t size = x.points.size();
     const double rho = place < 1 ? first + (1 - first) * place : place;
-    if (!add(x, size, rho, continued(x.points, rho)) || size == 0) continue;
+    const bool solved = add(x, size, rho, continued(x.points, rho));
+    if (!solved) unsolved = std::min(unsolved, rho);
+    if (!solved || size == 0) continue;
     if (falls(size) && (branch == Branch::rising || x.points.back().traction() < asked)) break;
   }
   for (int k = 0; k < 12 && x.points.size() > 1; ++k) {
     if (x.points[0].traction() < asked && !falls(1)) break;
     if (!add(x, 0, 0.6 * std::min(x.points[0].rho, 1.0), {})) break;
   }
+  if (branch == Branch::rising && unsolved < 1) approach_end(x, asked, unsolved);
   return x;
 }
 
@@ -176,8 +192,9 @@ std::optional<Highest> highest_of(CurveSamples& x) {
                          : top_of(top.local, std::max(low, 1.0), high);
     if (top.rho == low || top.rho == high) top.rho = here;  // they are lower
     const auto index = static_cast<std::size_t>(best - x.points.begin()) + (top.rho > here ? 1 : 0);
-    if (k == 8 || std::abs(top.rho - here) < 0.01 || !add(x, index, top.rho, best->solution))
-      return top;
+    const bool of_corner = k == 0 && here == 1 && std::abs(top.rho - 1) > 1e-4;
+    if (k == 8 || (std::abs(top.rho - here) < 0.01 && !of_corner)) return top;
+    if (!add(x, index, top.rho, best->solution)) return top;
   }
 }
 
@@ -493,7 +510,7 @@ CoupledSolution solve_closer(const Scene& scene, const Approach& approach, doubl
 }
 
 bool is_unknown_far_above(const TractionLimit& limit, const OnCurve& highest, double asked) {
-  return !std::isfinite(limit.traction_error) && asked < 0.9 * highest.traction();
+  return !(limit.traction_error < 0.1 * highest.traction()) && asked < 0.9 * highest.traction();
 }
 
 void refuse_near(const TractionLimit& limit, double asked, double tolerance) {

@@ -242,18 +242,21 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope, double weak) {
   ZoneLengths at = level.at;
   double taken = 0;
+  bool solved = false;  // at another border
   for (int k = 0, failed = 0; k < 30; ++k) {
     const GridSolution last = level;
     const ContactGrid grid = contact_grid(scene, formulation, at, n);
     level = solve_on(grid, last);
     if (level.newton_steps == 0) {
-      if (k == 0 || ++failed == 8) break;
-      at = {(last.at.slip + at.slip) / 2, (last.at.stick + at.stick) / 2, at.variable};
+      const bool may_shorten = scene.law && given.quantity != stick_slip_border;
+      if (++failed == 8 || !(solved || may_shorten)) break;
+      const ZoneLengths& from = last.at;
+      at = moved_by(at, solved ? (at.slip - from.slip) / 2 : at.slip / 2);
       level = last;
       continue;
     }
     if (given.quantity == stick_slip_border) return judged(level, grid);
-    const double moved = k > 0 ? level.value(given.quantity) - last.value(given.quantity) : 0;
+    const double moved = solved ? level.value(given.quantity) - last.value(given.quantity) : 0;
     const double by_rounding = 4e-15 * std::abs(given.value);
     if (std::abs(moved) > by_rounding) slope = (level.value - last.value) / moved;
     const double noise = std::abs(slope(stick_slip_border)) * by_rounding;
@@ -261,15 +264,16 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const double least = given.quantity == creep ? std::max(noise, 1e-15) : 1e-15;
     double step = slope(stick_slip_border) * residual(level, given);
     if (!(room > least && std::isfinite(step))) break;  // the border leaves the contact
-    if (k == 0 && !grid.crossing && effect_of_heat(scene, level, step) < weak) {
+    if (!solved && !grid.crossing && effect_of_heat(scene, level, step) < weak) {
       slope(max_temperature) = slope(stick_slip_border) * temperature_by_border(grid, level);
       return judged(level, grid);
     }
-    const bool is_derivative = k > 0 && std::abs(taken) <= std::max(0.06 * room, near);
+    const bool is_derivative = solved && std::abs(taken) <= std::max(0.06 * room, near);
     if (is_derivative && std::abs(step) <= near) return judged(level, grid);
     if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
     taken = std::clamp(step, -0.7 * at.stick, 0.7 * at.slip);
     at = moved_by(at, taken);
+    solved = true;
   }
   level.newton_steps = 0;
   return level;

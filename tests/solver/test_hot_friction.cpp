@@ -852,6 +852,53 @@ TEST(HotFriction, ATractionFarBelowAnUnknownMaximumIsSolved) {
   EXPECT_THROW(solve(scene, {Quantity::traction, 0.28}, 1e-6), thermoroll::NotResolved);
 }
 
+// The same where a maximum is found that has an error of its own size.
+TEST(HotFriction, ATractionFarBelowABadMaximumIsSolved) {
+  Scene scene{0.74, 28000, 0.00124};
+  scene.law = piecewise_linear_friction({0.00255, 1.7});
+  const double traction = 0.3;
+  const CoupledSolution x = solve(scene, {Quantity::traction, traction}, 1e-6);
+  EXPECT_FALSE(x.limit);
+  // The traction is at most four times the creep.
+  const CoupledSolution y = at_creep(scene, x.value(Quantity::creep), 1e-6);
+  EXPECT_NEAR(y.value(Quantity::traction), traction,
+              y.error(Quantity::traction) + 4 * x.error(Quantity::creep));
+}
+
+// With weak softening the maximum is just before full slip. Between both a traction has a border on
+// either branch.
+TEST(HotFriction, FallingBranchBeginsBeforeFullSlip) {
+  Scene scene{0.6, 100, 0.0175, {1, 0.0175}};
+  for (const auto& [scale, traction] : {std::pair{0.3, 0.5877}, {0.6, 0.59378}, {1.2, 0.59687}}) {
+    scene.law = linear_friction({scale});
+    const CoupledSolution x = solve(scene, {Quantity::traction, traction, Branch::falling}, 1e-6);
+    EXPECT_TRUE(x.violations.empty());
+    ASSERT_GT(x.value(Quantity::stick_slip_border), -1);
+    EXPECT_GT(x.value(Quantity::creep), x.limit->creep);
+    const CoupledSolution y = at_creep(scene, x.value(Quantity::creep), 1e-8);
+    // The curve is flatter there than one unit of traction for one of creep.
+    EXPECT_NEAR(y.value(Quantity::traction), traction,
+                y.error(Quantity::traction) + x.error(Quantity::creep));
+  }
+}
+
+// Friction that rises as steeply as here has no solution beyond the border -0.01. The curve is
+// followed up to there, from smaller slip where Carter's border has none.
+TEST(HotFriction, RisingFrictionIsFollowedToTheEndOfItsCurve) {
+  Scene scene{0.4, 0.1, 0};
+  scene.law = linear_friction({-0.45});
+  for (const double border : {0.2, 0.1, 0.02, 0.0}) {
+    const CoupledSolution there = solve(scene, {Quantity::stick_slip_border, border}, 1e-8);
+    for (const Quantity given : {Quantity::traction, Quantity::creep}) {
+      const CoupledSolution x = solve(scene, {given, there.value(given)}, 1e-6);
+      EXPECT_TRUE(x.violations.empty());
+      // From one border to the next it moves by less than ten times the traction or the creep.
+      EXPECT_NEAR(x.value(Quantity::stick_slip_border), border,
+                  x.error(Quantity::stick_slip_border) + 10 * there.error(given));
+    }
+  }
+}
+
 // At high speed the graded rules of coarse grids shift the place of the maximum, which was 2.6 and
 // 2.9 times its stated error off. A grid of 96 unknowns has other rules.
 TEST(HotFriction, MaximumAtHighSpeedIsWithinItsErrors) {
