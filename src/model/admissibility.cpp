@@ -11,7 +11,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Add an interval for each run of nodes where the condition is not positive, up to where it
+/// Add an interval for each run of nodes where the condition is negative or NaN, up to where it
 /// changes sign between two nodes, or to the end of the contact.
 void add(std::vector<Violation>& found, const char* what, const ArrayXd& s,
          const ArrayXd& condition) {

@@ -47,16 +47,17 @@ Estimate total_heat(const HeatFlux& flux) {
 
 Peak hottest_point(const HeatFlux& flux, double peclet) {
   constexpr int samples = 24;
-  const auto at = [&](int i) { return flux.from + (flux.to - flux.from) * i / samples; };
-  const auto cooler = [&](double s) { return -temperature(flux, peclet, s).value; };
+  const double length = flux.to - flux.from;
+  const auto place = [&](double share) { return flux.from + length * share; };
+  const auto cooler = [&](double share) { return -temperature(flux, peclet, place(share)).value; };
+  const auto at = [&](int i) { return static_cast<double>(i) / samples; };
   int best = 0;
   for (int i = 1; i <= samples; ++i)
     if (cooler(at(i)) < cooler(at(best))) best = i;
-  const double s = minimum(cooler, at(best - 1), at(best), at(best + 1));
-  const Estimate top = temperature(flux, peclet, s);
-  const double h = (flux.to - flux.from) / 100;
-  const double bend = (cooler(s - h) + cooler(s + h) + 2 * top.value) / (h * h);  // |T''|
-  return {s, 2 * std::sqrt(top.error / bend), top};
+  const double share = minimum(cooler, at(best - 1), at(best), at(best + 1)), h = 0.01;
+  const Estimate top = temperature(flux, peclet, place(share));
+  const double bend = (cooler(share - h) + cooler(share + h) + 2 * top.value) / (h * h);  // |T''|
+  return {place(share), length * 2 * std::sqrt(top.error / bend), top};
 }
 
 HeatFlux sliding_flux(double heat) {

@@ -32,7 +32,7 @@ struct Claim {
   Evidence evidence;
 };
 
-/// Every claim of the paper's text that is computed; runs the published scheme some forty times.
+/// Every claim of the paper's text in the table; runs the published scheme some forty times.
 std::vector<Claim> claims();
 
 /// The number of claims with an outcome.

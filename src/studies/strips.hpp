@@ -8,15 +8,16 @@
 namespace thermoroll {
 
 /// SI units; two bodies of one effusivity. The slip is over the speed, at both ends of the middle
-/// strip; cells are in half-lengths of it.
+/// strip.
 struct EllipticContact {
   double half_length, half_width, pressure, speed, slip_ahead, slip_behind, friction;
   double effusivity = std::sqrt(50 * 7850 * 450.0);  // of steel, sqrt(K rho c)
 };
 
 struct OnEllipse {
-  double force, temperature;  // over that of constant friction; the largest, in degrees
-  double normal = 0;          // force of the pressure on the same cells, N
+  double force;        // of a strip in N/m, of all over that of constant friction
+  double temperature;  // the largest, in degrees
+  double normal = 0;   // the integral of the pressure over the same cells, N/m
 };
 
 /// Strips on half of the ellipse, cells on the middle one, and the weight of a cell for its own

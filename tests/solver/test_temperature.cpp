@@ -438,6 +438,25 @@ TEST(Temperature, MaximumIsTheMaximum) {
   EXPECT_TRUE(close(fast.at, 0.652230L, fast.at_error + 0.5e-6L + 1e-8L));
 }
 
+// However short the zone is, its top is found: at a hundredth of the zone to both sides it is colder
+// by the same, but for a tenth.
+TEST(Temperature, MaximumOfAShortZoneIsTheMaximum) {
+  for (const double peclet : {1e3, 1e6, 1e9})
+    for (const double traction : {6e-4, 6e-6, 6e-8}) {
+      SCOPED_TRACE(::testing::Message() << "Pe = " << peclet << ", Q* = " << traction);
+      const HeatFlux flux = rolling(traction);
+      const thermoroll::Peak peak = thermoroll::hottest_point(flux, peclet);
+      const double length = flux.to - flux.from, far = length / 100;
+      const double left = peak.temperature.value - temperature(flux, peclet, peak.at - far).value;
+      const double right = peak.temperature.value - temperature(flux, peclet, peak.at + far).value;
+      EXPECT_GT(left, 0);
+      EXPECT_GT(right, 0);
+      // A parabola through the three has its top within a tenth of that distance of the middle.
+      EXPECT_LT(std::abs(left - right) / (2 * (left + right)), 0.1);
+      EXPECT_LT(peak.at_error, 1e-2 * length);
+    }
+}
+
 // The error delta of the maximum hides a distance e of the place over which the parabola falls by
 // 2 delta. At a hundred times that distance it has fallen by 2e4 delta, which the errors of the two
 // values, delta each, change by 1e-4. The curvature by which e was found is a mean over a hundredth

@@ -16,7 +16,7 @@ struct HeatFlux {
 /// Hertz and Carter's solution at H = 0, @eq:carter. Dimensionless.
 struct Carter {
   double friction;         ///< f
-  double b;                ///< half-width of the stick zone, in (0, 1)
+  double b;                ///< half-width of the stick zone, in (0, 1]; 1 by rounding
   double slip_half_width;  ///< 1 - b, half-width of the slip zone, to full relative accuracy
   double c0;               ///< stick-slip border, 2b - 1
   double creep;            ///< xi*

@@ -14,7 +14,7 @@ constexpr double slope_sign(Formulation formulation) {
 
 /// Responses of the surface to a moving line of heat. All are dimensionless and take zeta = Pe z
 /// (@eq:zeta), z = source less observer: zeta > 0 is upstream. Relative error below 1e-13 for
-/// 1e-12 <= |zeta| <= 1e12 (of the larger term where terms cancel).
+/// 1e-12 <= |zeta| <= 1e12 (of the larger term where terms cancel; of M while it exceeds 1e-87).
 namespace kernel {
 
 /// Slope N1, @eq:N1; zero for zeta <= 0 (Heaviside's step, zero at zero).

@@ -69,7 +69,8 @@ double effusivity_ratio(const Scene& scene);
 double effusivity_share(const Scene& scene);
 
 /// A rolling contact in SI units (@tbl:steel). All fields are positive, except that the expansions,
-/// poisson, conductivity_2 and diffusivity_2 may be zero; poisson is below 1/2.
+/// poisson, conductivity_2 and diffusivity_2 may be zero; poisson is below 1/2, and bulk
+/// temperatures are from -273.15 on.
 struct PhysicalScene {
   double load;                ///< P, load per unit length, N/m
   double speed;               ///< V, rolling speed, m/s
