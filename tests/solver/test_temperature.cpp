@@ -438,8 +438,8 @@ TEST(Temperature, MaximumIsTheMaximum) {
   EXPECT_TRUE(close(fast.at, 0.652230L, fast.at_error + 0.5e-6L + 1e-8L));
 }
 
-// However short the zone is, its top is found: at a hundredth of the zone to both sides it is colder
-// by the same, but for a tenth.
+// However short the zone is, its top is found: at a hundredth of the zone to both sides it is
+// colder by the same, but for a tenth.
 TEST(Temperature, MaximumOfAShortZoneIsTheMaximum) {
   for (const double peclet : {1e3, 1e6, 1e9})
     for (const double traction : {6e-4, 6e-6, 6e-8}) {
