@@ -706,7 +706,7 @@ TEST(Interface, PlacesThatAreNot) {
 TEST(Interface, OnlyFiniteAnswers) {
   thermoroll_scene slow = steel(), tough = wheel();
   slow.peclet = 5e-324;
-  slow.method = THERMOROLL_CLOSED_FORM;
+  EXPECT_EQ(answer(slow).status, THERMOROLL_REFUSED);
   tough.friction_law = THERMOROLL_CONSTANT;
   tough.friction_temperature = tough.friction_floor = 0;
   tough.method = THERMOROLL_CLOSED_FORM;
@@ -722,7 +722,7 @@ TEST(Interface, OnlyFiniteAnswers) {
   strong.shear_modulus = 1e-287;
   strong.diffusivity = 1000;
   strong.conductivity = 1e20;
-  for (const thermoroll_scene& scene : {slow, tough, strong}) {
+  for (const thermoroll_scene& scene : {tough, strong}) {
     const thermoroll_result x = answer(scene);
     EXPECT_EQ(x.status, THERMOROLL_NOT_CONVERGED);
     EXPECT_EQ(std::string(x.message).find("no finite result was found"), 0U) << x.message;
