@@ -489,6 +489,17 @@ Enclosed next_to_maximum(CreepCurve curve, const Highest& top, Branch branch, do
   return {solution_on(curve, rho, near), by_rho / by_rho(traction)};
 }
 
+/// Whether a solution has less creep than full slip, and the maximum has a stick zone.
+bool is_short_of_full_slip(const Highest& top, const CoupledSolution& x) {
+  return top.sticks && top.rho < 1 && x.value(stick_slip_border) == -1 && !x.violations.empty();
+}
+
+Enclosed before_full_slip(CreepCurve& curve, const Highest& top) {
+  const double rho = (top.rho + 1) / 2;
+  const Results by_rho = derivative(top.local, 1, rho);
+  return {solution_on(curve, rho, {}), by_rho / by_rho(traction)};
+}
+
 bool is_told_from(const TractionLimit& limit, const CoupledSolution& x, Branch branch,
                   double tolerance) {
   const double side = branch == Branch::rising ? -1 : 1, by = x.value(creep) - limit.creep;
@@ -581,14 +592,21 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   Enclosed start;
   if (limit) start = next_to_maximum(fine, *top, branch, asked, highest.solution);
   const bool near = start.solution.newton_steps > 0;
-  if (!near)
-    start = about_the_traction(x, branch, std::min(asked, highest.traction() * (1 - 1e-6)));
+  const double most = highest.traction();
+  if (!near) start = about_the_traction(x, branch, asked < most ? asked : most * (1 - 1e-6));
   const Prescribed given{traction, asked};
-  CoupledSolution found = refine(
-      scene, approach, given, start.solution, start.slope, [&](int n, const GridSolution& last) {
-        const double left = approach.tolerance / (near ? 1e4 : 10);
-        return settle({scene, formulation, n}, given, last, start.slope, left);
-      });
+  const auto refined = [&] {
+    return refine(scene, approach, given, start.solution, start.slope,
+                  [&](int n, const GridSolution& last) {
+                    const double left = approach.tolerance / (near ? 1e4 : 10);
+                    return settle({scene, formulation, n}, given, last, start.slope, left);
+                  });
+  };
+  CoupledSolution found = refined();
+  if (top && is_short_of_full_slip(*top, found)) {
+    start = before_full_slip(fine, *top);
+    found = refined();
+  }
   if (limit && !is_told_from(*limit, found, branch, approach.tolerance))
     return solve_closer(scene, approach, asked, branch);
   found.limit = limit;

@@ -882,6 +882,22 @@ TEST(HotFriction, FallingBranchBeginsBeforeFullSlip) {
   }
 }
 
+// There coarse grids may put a traction into full slip, or above their own maximum.
+TEST(HotFriction, FallingTractionBeforeFullSlipIsNotTakenForFullSlip) {
+  Scene alike{0.307805783, 3209.03659, 0.0421263975};
+  alike.law = rational_friction({0.716290911, 0.67954708});
+  Scene unlike{0.0319126722, 2842.62595, 0.00273540283, {0.607646929, 0.00344713853, 5853.69257}};
+  unlike.bulk_difference = -1.84339998e-06;
+  unlike.law = rational_friction({0.00598553966, 0.164546188});
+  for (const auto& [scene, border] : {std::pair{alike, -0.99958}, {unlike, -0.9977354}}) {
+    const CoupledSolution there = at_border(scene, border, 1e-6);
+    const Prescribed given{Quantity::traction, there.value(Quantity::traction), Branch::falling};
+    const CoupledSolution x = solve(scene, given, 1e-5);
+    EXPECT_TRUE(x.violations.empty());
+    EXPECT_NEAR(x.value(Quantity::creep), there.value(Quantity::creep), x.error(Quantity::creep));
+  }
+}
+
 // Friction that rises as steeply as here has no solution beyond the border -0.01. The curve is
 // followed up to there, from smaller slip where Carter's border has none.
 TEST(HotFriction, RisingFrictionIsFollowedToTheEndOfItsCurve) {
