@@ -42,7 +42,9 @@ class Lines {
 /// Nothing at the end of the file, or if stopped. Longer lines are cut to longest_line + 1.
 std::optional<std::string> Lines::next(const std::atomic<bool>& stop) {
   std::string line;
-  const auto empty = [&] { return line.find_first_not_of(" \t\r") == std::string::npos; };
+  const auto empty = [&] {
+    return line.size() <= longest_line && line.find_first_not_of(" \t\r") == std::string::npos;
+  };
   while (!stop && (at_ < end_ || fill(stop))) {
     const char c = buffer_[at_++];
     if (c != '\n' && line.size() <= longest_line) line += c;

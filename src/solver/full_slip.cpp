@@ -206,8 +206,8 @@ void refuse_undetermined_creep(const Scene& scene, Formulation formulation) {
       "traction = " + shortest(sign * scene.friction) +
       " is the friction: the whole contact slips, and the creep is not determined";
   if (full.newton_steps > 0)
-    message += std::string(sign > 0 ? "; it is at least " : "; it is at most ") +
-               fixed(sign * full.value(Quantity::creep), 4);
+    message += sign > 0 ? "; it is at least " + rounded_down(full.value(Quantity::creep), 4)
+                        : "; it is at most " + rounded_up(-full.value(Quantity::creep), 4);
   throw std::invalid_argument(message);
 }
 

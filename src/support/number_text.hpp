@@ -12,11 +12,7 @@ std::string shortest(double value);
 /// A number rounded to so many digits, at most 20, as "0.1" or "1.2e+06"; or rounded so that it is
 /// not above the value, or not below it.
 std::string rounded(double value, int digits);
-inline std::string rounded_down(double value, int digits) {
-  if (!(std::abs(value) > 0)) return "0";
-  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
-  return rounded(std::floor(value / unit) * unit, digits);
-}
+std::string rounded_down(double value, int digits);
 
 inline std::string rounded_up(double value, int digits) {
   const std::string down = rounded_down(-value, digits);

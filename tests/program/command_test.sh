@@ -491,10 +491,11 @@ ZeroTractionAndCreep() {
 # With constant friction its own traction belongs to all creeps from full slip on.
 TractionOfTheFriction() {
   local scene=(--friction 0.6 --peclet 100)
-  refuses 2 "traction = 0.6 is the friction: the whole contact slips, and the creep is not determined; it is at least 0.3820" \
+  refuses 2 "traction = 0.6 is the friction: the whole contact slips, and the creep is not determined; it is at least 0.3819" \
     solve --traction 0.6 "${scene[@]}"
-  refuses 2 "traction = -0.6 is the friction: the whole contact slips, and the creep is not determined; it is at most -0.3820" \
+  refuses 2 "traction = -0.6 is the friction: the whole contact slips, and the creep is not determined; it is at most -0.3819" \
     solve --traction -0.6 "${scene[@]}"
+  refuses 2 "it is at least 6.366e-06" solve --friction 1e-5 --traction 1e-5 --peclet 100
   refuses 2 "traction = 0.61 is not allowed: it must be between -0.6 and 0.6, the friction" \
     solve --traction 0.61 "${scene[@]}"
 }

@@ -837,6 +837,9 @@ LongLines() {
   sweeps 4
   [ "$(error_of 1)" = "2 the row has more than 10000 characters" ] || fail "$(error_of 1)"
   [ "$(error_of 2)" = "0 " ] || fail "$(error_of 2)"
+  { echo friction,traction,peclet; head -c 10002 /dev/zero | tr '\0' ' '; echo 0.6,0.5,100; } >scenes.csv
+  sweeps 4
+  [ "$(error_of 1)" = "2 the row has more than 10000 characters" ] || fail "$(error_of 1)"
   printf 'friction,traction,peclet,%09968d,heating-2\n0.6,0.5,100,x,1\n' 1 >scenes.csv # was cut to heating
   refuses 2 "the header has more than 10000 characters" sweep scenes.csv --keep "$(printf '%09968d' 1)"
 }

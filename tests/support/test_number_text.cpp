@@ -71,7 +71,8 @@ TEST(NumberText, SameInEveryLocale) {
 // A number rounded down is not above it, one rounded up not below it, and both are within a unit of
 // the last digit.
 TEST(NumberText, RoundedToASide) {
-  for (const double x : {0.39776468, 1.0, 2e-7, 123456.7, 9.99999999, 1e12 / 3})
+  const double below = std::nextafter(6.889152, 0);  // a unit of rounding below a short number
+  for (const double x : {0.39776468, 1.0, 2e-7, 123456.7, 9.99999999, 1e12 / 3, 0.3, below})
     for (const double value : {x, -x}) {
       const double low = std::stod(rounded_down(value, 4)), high = std::stod(rounded_up(value, 4));
       const double unit = std::pow(10, std::floor(std::log10(x)) - 3);
@@ -81,6 +82,8 @@ TEST(NumberText, RoundedToASide) {
     }
   EXPECT_EQ(rounded_down(0.39776468, 6) + ' ' + rounded_up(-0.39776468, 6), "0.397764 -0.397764");
   EXPECT_EQ(rounded_up(-0.0, 6) + rounded_down(-0.0, 6), "00");
+  EXPECT_LT(std::stod(rounded_down(below, 7)), 6.889152);
+  EXPECT_EQ(rounded_down(0.3, 1), "0.3");
 }
 
 // In TeX a number has one digit before its point and the exponent that goes with that: mantissa and

@@ -182,7 +182,7 @@ Carter carter_given(double friction, const Prescribed& given);
 /// Solve the coupled problem for the given quantity, by the formulation and tolerance of the
 /// approach, whatever its method, until the estimated error of every quantity is below
 /// tolerance >= 1e-11: absolute for border, slip_length, traction, load_ratio, gamma0,
-/// relative for creep_constant, creep, heat_integral and max_temperature; that of
+/// relative to scale_in() for creep_constant, creep, heat_integral and max_temperature; that of
 /// max_temperature_at is the length of the slip zone times the root of it, or the length of the
 /// stick zone if the hottest point is there. A creep at which the whole contact slips has the
 /// border -1. Traction and creep are positive in the scene's direction, also if it
