@@ -442,9 +442,11 @@ Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
     const LocalCurve local = local_curve(x.points, (low + high) / 2, high <= 1);
     const double rho = place_of(local, 0, asked, low, high);
     if (k > 0 && std::abs(rho - before) < 5e-3) break;
-    if (!add(x, i, rho, x.points[rho - low < high - rho ? i - 1 : i].solution)) break;
+    const std::size_t nearest = rho - low < high - rho ? i - 1 : i;
+    const bool is_there = std::abs(x.points[nearest].rho - rho) < 1e-6;
+    if (!is_there && !add(x, i, rho, x.points[nearest].solution)) break;
     const Results by_rho = derivative(local_curve(x.points, rho, high <= 1), 1, rho);
-    found = {x.points[i].solution, by_rho / by_rho(traction)};
+    found = {x.points[is_there ? nearest : i].solution, by_rho / by_rho(traction)};
     before = rho;
   }
   return found;
@@ -459,7 +461,9 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
   for (int k = 0; k < 8; ++k) {
     const GridSolution last = level;
     const Results step = slope * residual(last, given);
-    ZoneLengths at = moved_by(last.at, last.at.stick == 0 ? 0 : step(stick_slip_border));
+    const double most = last.at.stick == 0 ? 0 : 0.99 * last.at.slip;
+    const double to_border = std::clamp(step(stick_slip_border), -0.99 * last.at.stick, most);
+    ZoneLengths at = moved_by(last.at, to_border);
     at.variable = variable_after(last, n);
     const double next = last.value(creep) + step(creep);
     level = last.at.stick == 0 ? solve_slipping_grid(slipping, n, next, last, at.variable)

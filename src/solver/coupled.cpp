@@ -591,7 +591,7 @@ void check(double friction, const Prescribed& given) {
 void check(const Scene& scene, const Prescribed& given) {
   check(scene);
   const Prescribed more = beyond_no_slip(scene, given);
-  if (more.value != given.value)
+  if (std::isfinite(given.value) && more.value != given.value)
     require(more.value > 0, given.quantity == traction ? "traction" : "creep", given.value,
             "beyond that of a contact without slip");
   const bool any = scene.law && given.quantity == traction;  // friction may rise

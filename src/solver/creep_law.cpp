@@ -357,6 +357,15 @@ std::string end_of_partial_slip(LawHalf& half) {
   return turns_back;
 }
 
+/// On a grid of n unknowns.
+double change_before(HalfCurve& curve, int n, double first) {
+  const auto hottest_at = [&](double w) {
+    const GridSolution x = solution_at(curve, n, w, {});
+    return x.newton_steps > 0 ? x.value(Quantity::max_temperature) : 0;
+  };
+  return std::abs(hottest_at(first) - hottest_at(first / 10));
+}
+
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
                          double reach, NoSlip rest) {
   const double sign = sign_of(scene.direction);
@@ -379,6 +388,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   else if (last.w == 1)
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
   end_after_pieces(x.half, tolerance, reach);
+  if (first > 0 && last.w > 0) x.error(1) += change_before(x.curve, last.grid->finer, first);
   return x;
 }
 

@@ -76,7 +76,8 @@ double worst_error(const SceneBySpeed& scene_at, double to, double tolerance, in
         scene, {Formulation::corrected, tolerance / 100}, {Quantity::creep, size});
     const LawValue y = evaluate(law, brakes ? -size : size, speed).value();
     const auto error = [&](double value, Quantity q, double stated) {
-      worst = std::max(worst, std::abs(value - x.value(q)) / (stated + x.error(q)));
+      const double off = std::abs(value - x.value(q)) / (stated + x.error(q));
+      if (!(off <= worst)) worst = off;  // a NaN stays
     };
     error(brakes ? -y.traction : y.traction, Quantity::traction, law.traction_error);
     error(y.border, Quantity::stick_slip_border, law.border_error);

@@ -882,6 +882,23 @@ TEST(HotFriction, FallingBranchBeginsBeforeFullSlip) {
   }
 }
 
+// Without heat Carter's border has the traction at once, and a second sample of the curve would
+// stand where the first one does. A reference temperature above all that is reached changes
+// nothing.
+TEST(HotFriction, TractionsThatCarterHasAreSolved) {
+  for (const double heating : {0.0, 1e-14, 1e-12})
+    for (const double share : {0.044, 0.099, 0.265, 1 / 3.0, 0.376, 0.459, 0.6}) {
+      Scene scene{friction, 1000, heating};
+      scene.law = linear_friction({0.01, 0, 0.02});
+      const double traction = share * friction;
+      const CoupledSolution x = solve(scene, {Quantity::traction, traction}, 1e-6);
+      const double creep = thermoroll::carter(friction, traction).creep;
+      // Heat of 1e-12 changes no creep by more than f H.
+      EXPECT_NEAR(x.value(Quantity::creep), creep,
+                  x.error(Quantity::creep) + friction * heating + 1e-14);
+    }
+}
+
 // There coarse grids may put a traction into full slip, or above their own maximum.
 TEST(HotFriction, FallingTractionBeforeFullSlipIsNotTakenForFullSlip) {
   Scene alike{0.307805783, 3209.03659, 0.0421263975};

@@ -34,10 +34,10 @@ Eigen::Array3d largest_errors(const Scene& scene, Formulation formulation, doubl
   Eigen::Array3d largest = Eigen::Array3d::Zero();
   for (const int n : nodes) {
     const PanelSolution x = thermoroll::solve_on_panels(scene, traction, formulation, n);
-    EXPECT_TRUE(std::isfinite(x.creep)) << n;
     const Eigen::Array3d errors{(x.load_ratio - 1) / (exact.value(Quantity::load_ratio) - 1) - 1,
                                 x.hottest / exact.value(Quantity::max_temperature) - 1,
                                 x.creep / exact.value(Quantity::creep) - 1};
+    EXPECT_TRUE(errors.isFinite().all()) << n;  // which a maximum does not show
     largest = largest.max(errors.abs());
   }
   return largest;

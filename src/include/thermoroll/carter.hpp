@@ -40,7 +40,7 @@ HeatFlux carter_flux(const Carter& c);
 /// The integral of v* p* over the contact, @eq:energy.
 double carter_heat(const Carter& c);
 
-/// Traction at a given creep xi* >= 0, @eq:creep-curve; throws std::invalid_argument.
+/// Traction at a given creep xi* >= 0, finite, @eq:creep-curve; throws std::invalid_argument.
 double carter_creep_curve(double friction, double creep);
 
 }  // namespace thermoroll

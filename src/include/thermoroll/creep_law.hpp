@@ -65,9 +65,10 @@ struct LawValue {
 
 /// The law of a scene for a range of creeps in both directions, whatever its own is. The stated
 /// errors are below the tolerance, from 1e-7 to 1e-2, or ten times that where a law of friction has
-/// a kink or heat is strong: that of T* relative to T* at unit_creep; that of c0 below 300 times
-/// the tolerance with a bulk difference. Throws std::invalid_argument for data out of range,
-/// NotResolved where the tolerance is met nowhere.
+/// a kink or heat is strong: that of T* relative to T* at unit_creep. With a bulk difference that
+/// of T* is relative to what the difference makes as well, and more next to no slip; that of c0 is
+/// below 300 times the tolerance. Throws std::invalid_argument for data out of range, NotResolved
+/// where the tolerance is met nowhere.
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
                    const CreepRange& range = {});
 

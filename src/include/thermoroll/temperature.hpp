@@ -20,7 +20,7 @@ struct Peak {
   Estimate temperature;
 };
 
-/// The largest T* on the surface. Errors as for temperature.
+/// The largest T* on the surface, of a flux that is not zero everywhere. Errors as for temperature.
 Peak hottest_point(const HeatFlux& flux, double peclet);
 
 /// The integral of the flux, in units of v* p* times a length a.
