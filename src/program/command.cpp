@@ -201,6 +201,9 @@ void say_small_scale(const SceneOptions& o) {
 
 void say_idle_floor(const Solution& x) {
   const auto* law = x.scene.law.target<LawOfFriction>();
+  if (law != nullptr && law->of.scale < 0 && law->of.floor > 0)
+    std::fputs("thermoroll: note: --friction-floor makes no difference to friction that rises\n",
+               stderr);
   if (law == nullptr || law->of.floor != 1 || law->of.scale < 0) return;
   std::fprintf(stderr,
                "thermoroll: note: with --friction-floor 1 the law does not change the friction\n");
