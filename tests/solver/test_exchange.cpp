@@ -379,7 +379,7 @@ TEST(Exchange, DrivingIsBrakingOfExchangedBodies) {
     EXPECT_NEAR(a.kappa, b.kappa, 1e-9);
     EXPECT_NEAR(a.gamma0, b.gamma0, 1e-9);
     const double to_1 = heat_that_crosses(drives, x.bodies.bulk_difference);
-    EXPECT_NEAR(to_1, -heat_that_crosses(brakes, exchanged(x.bodies).bulk_difference), 1e-8);
+    EXPECT_NEAR(to_1, -heat_that_crosses(brakes, exchanged(x.bodies).bulk_difference), 1e-9);
   }
 }
 

@@ -66,20 +66,20 @@ double creep_limit(const Scene& scene, double creep) {
 
 }  // namespace
 
-// An independent collocation with panels, in Python, converged to 1e-10: constant friction, f =
-// 0.6.
+// An independent collocation with panels, in Python, with constant friction, f = 0.6. Both are
+// converged to 1e-10.
 TEST(FullSlip, AgreesWithIndependentReferences) {
   const CoupledSolution x = slipping({0.6, 100, 1}, 0.5, 1e-10);
   EXPECT_TRUE(x.violations.empty());
   EXPECT_EQ(x.value(Quantity::traction), 0.6);
   EXPECT_EQ(x.value(Quantity::creep), 0.5);
-  EXPECT_TRUE(close(x.value(Quantity::creep_constant), 0.5719435069244716L, 1e-8L));
-  EXPECT_TRUE(close(x.value(Quantity::load_ratio), 1.0541541017603624L, 1e-8L));
-  EXPECT_TRUE(close(x.value(Quantity::gamma0), 0.11990584487411934L, 1e-8L));
-  EXPECT_TRUE(close(x.value(Quantity::heat_integral), 0.5085439613100176L, 1e-8L));
-  EXPECT_TRUE(close(x.value(Quantity::max_temperature), 0.030869161446950177L, 1e-8L));
+  EXPECT_TRUE(close(x.value(Quantity::creep_constant), 0.5719435069244716L, 2e-10L));
+  EXPECT_TRUE(close(x.value(Quantity::load_ratio), 1.0541541017603624L, 2e-10L));
+  EXPECT_TRUE(close(x.value(Quantity::gamma0), 0.11990584487411934L, 2e-10L));
+  EXPECT_TRUE(close(x.value(Quantity::heat_integral), 0.5085439613100176L, 2e-10L));
+  EXPECT_TRUE(close(x.value(Quantity::max_temperature), 0.030869161446950177L, 2e-10L));
   EXPECT_TRUE(close(x.value(Quantity::max_temperature_at), 0.8338390558553344L, 1e-6L));
-  EXPECT_TRUE(close(leading_slip(x), 0.28936604380149883L, 1e-8L));
+  EXPECT_TRUE(close(leading_slip(x), 0.28936604380149883L, 2e-10L));
 }
 
 // Without heat Hertz's pressure and the slip xi* + (2f/pi) s, whose heat is xi*.

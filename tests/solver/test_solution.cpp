@@ -174,7 +174,7 @@ TEST(Solution, PeaksAreTheLargestValues) {
       traction = std::max(traction, carter_traction(c, 2 * u - 1));
       flux = std::max(flux, carter_flux(c).density(width * u, width * (1 - u)));
     }
-    EXPECT_NEAR(x.traction / traction, 1, 1e-7);
+    EXPECT_NEAR(x.traction / traction, 1, 1e-14);  // a few roundings, as the corner is a sample
     EXPECT_GE(x.traction, traction * (1 - 1e-15));
     EXPECT_NEAR(x.heat_flux / flux, 1, 1e-7);
     EXPECT_GE(x.heat_flux, flux * (1 - 1e-15));
@@ -839,7 +839,7 @@ TEST(Solution, ErrorsOfACreepRatioCoverTheHalfWidth) {
       EXPECT_NEAR(x.value.creep_ratio, ratio, 1e-15 * ratio);
       const double more =
           x.error->max_temperature_at_m - at(loose, false).error->max_temperature_at_m;
-      EXPECT_NEAR(more, 2 * x.error->half_width, 1e-3 * x.error->half_width);
+      EXPECT_NEAR(more, 2 * x.error->half_width, 4e-16 * x.error->max_temperature_at_m);
       c.half_width = exact.value.half_width;
     }
   }
