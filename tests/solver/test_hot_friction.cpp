@@ -1241,6 +1241,23 @@ TEST(HotFriction, AFlatTractionHasNoCreep) {
   }
 }
 
+// With a bulk difference a range ends at the traction without slip, to its six digits.
+TEST(HotFriction, RangesEndWithoutSlip) {
+  Scene scene{0.364, 93130, 0.008837, {0.378, 0.00833, 727000}};
+  scene.bulk_difference = -2.34e-05;
+  scene.law = piecewise_linear_friction({0.01621, 1.2});
+  scene.direction = Direction::braking;
+  try {
+    solve(scene, {Quantity::traction, 0.4732}, 1e-3);
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& refusal) {
+    const std::string words = refusal.what();
+    const double end = std::stod(words.substr(words.find(" and ") + 5));
+    const double rest = thermoroll::no_slip(scene).traction;
+    EXPECT_NEAR(end, rest, 1e-5 * std::abs(rest)) << words;
+  }
+}
+
 // The ends of the ranges that refusals name are accepted, but for 0, at which nothing slips, on
 // either side of free rolling; also where the falling branch is flat, next to a floor of 0.9995.
 TEST(HotFriction, RangesAreAccepted) {
