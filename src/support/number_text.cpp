@@ -21,14 +21,10 @@ std::string rounded(double value, int digits) {
           std::to_chars(text.data(), end, value, std::chars_format::general, digits).ptr};
 }
 
-std::string rounded_down(double value, int digits) {
-  if (!(std::abs(value) > 0)) return "0";
-  const std::string nearest = rounded(value, digits);
-  double there = 0;
-  std::from_chars(nearest.data(), nearest.data() + nearest.size(), there);
-  if (!(there > value)) return nearest;
-  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - digits);
-  return rounded(there - unit, digits);
+double number_of(const std::string& text) {
+  double x = 0;
+  std::from_chars(text.data(), text.data() + text.size(), x);
+  return x;
 }
 
 std::string with_exponent(double value, int digits) {

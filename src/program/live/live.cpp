@@ -45,6 +45,7 @@ static std::string text(const char* format, int digits, double value) {
 
 std::string shortest(double value) { return text("%.*g", 15, value); }
 std::string rounded(double value, int digits) { return text("%.*g", digits, value); }
+double number_of(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 std::string with_exponent(double value, int digits) { return text("%.*e", digits - 1, value); }
 std::string fixed(double value, int decimals) { return text("%.*f", decimals, value); }
 std::string scientific(double value, int digits) { return text("%.*e", digits, value); }
