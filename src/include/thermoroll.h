@@ -204,11 +204,11 @@ THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
                                        int threads);
 
 /// Solve a scene and evaluate its curves at `count` points from s = -1 to 1, 2 to 100000, which are
-/// dense at the edges and at the border; with a bulk difference they leave the edges out. Where the scene has THERMOROLL_AS_GIVEN, the caller has
-/// set s and depth of 1 to 100000 points, and the temperatures there are told; the published scheme
-/// has them at depth 0 only, without errors. Returns the status of the scene, which its result has
-/// too; what is told of a scene that failed is NaN. Returns 2, and writes nothing, if an array is
-/// null or has another size.
+/// dense at the edges and at the border; with a bulk difference they leave the edges out. Where the
+/// scene has THERMOROLL_AS_GIVEN, the caller has set s and depth of 1 to 100000 points, and the
+/// temperatures there are told; the published scheme has them at depth 0 only, without errors.
+/// Returns the status of the scene, which its result has too; what is told of a scene that failed
+/// is NaN. Returns 2, and writes nothing, if an array is null or has another size.
 THERMOROLL_EXPORT int thermoroll_profile(const struct thermoroll_scene* scene,
                                          struct thermoroll_result* result,
                                          struct thermoroll_point* points, size_t count);
