@@ -561,16 +561,15 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
   const double margin = std::min(1e-3 * std::abs(top), 0.25 * (top - end));
   const double under = branch == Branch::falling ? top - margin : 0.999 * top;
   const double most = sign * (limit ? below(*limit) : under);
-  const double rest = no_slip(x.curve.scene).traction;
+  const auto range = [&] { return range_text(no_slip(x.curve.scene).traction, most); };
   if (branch == Branch::falling && !is_lower(last, *highest))
     throw std::invalid_argument(
-        "branch = falling does not exist: the traction has no maximum; it is " +
-        range_text(rest, most));
+        "branch = falling does not exist: the traction has no maximum; it is " + range());
   if (limit && asked > limit->traction) refuse_above(*limit, asked, sign);
   const auto is_highest = [&](const OnCurve& at) { return !is_lower(at, *highest); };
   const bool flat = std::count_if(x.points.begin(), x.points.end(), is_highest) > 1;
   const char* why = flat ? "; all slips at the largest, and the creep is not determined" : "";
-  if (!limit) require(asked < top, "traction", sign * asked, range_text(rest, most) + why);
+  if (!limit && !(asked < top)) require(false, "traction", sign * asked, range() + why);
   if (branch == Branch::falling)
     require(asked > end, "traction", sign * asked,
             range_text(sign * (end + margin), most) + " on the falling branch");
