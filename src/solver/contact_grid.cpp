@@ -33,12 +33,19 @@ struct LawAtNodes {
   ArrayXd by_pressure, by_temperature;  // their derivatives, by the weights of the node
 };
 
+ArrayXd times(const Eigen::Ref<const MatrixXd>& a, const VectorXd& x) {
+  ArrayXd product(a.rows());
+  product.matrix().noalias() = a * x;
+  return product;
+}
+
 /// The first four values; the others stay empty.
 LawAtNodes friction_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
   LawAtNodes at;
-  at.pressure = share * (x.p * h).array() + x.p0;
-  at.temperature = share * (grid.thermal.temperature.topRows(x.p.rows()) * h).array();
+  at.pressure = x.p0;
+  at.pressure.matrix().noalias() += share * (x.p * h);
+  at.temperature = times(grid.thermal.temperature.topRows(x.p.rows()), share * h);
   if (grid.hot->bulk.size() > 0) at.temperature += grid.hot->bulk.head(x.p.rows());
   at.phi = at.slope = at.temperature;
   for (Index i = 0; i < at.phi.size(); ++i) {
@@ -51,31 +58,38 @@ LawAtNodes friction_at_nodes(const ContactGrid& grid, double share, const Vector
 
 LawAtNodes law_at_nodes(const ContactGrid& grid, double share, const VectorXd& h) {
   const TractionOperators& x = grid.tractions;
+  const HotFriction& hot = *grid.hot;
   LawAtNodes at = friction_at_nodes(grid, share, h);
-  const VectorXd lost = (1 - at.phi) * at.pressure;
-  at.by_pressure = grid.hot->at_node * at.pressure.matrix();
-  at.by_temperature = grid.hot->at_node * at.temperature.matrix();
-  at.slip = (grid.hot->s * lost).array() + (1 - at.phi) * at.by_pressure -
-            at.slope * at.pressure * at.by_temperature;
-  at.slip = share * (x.v * h).array() + x.v0 + grid.scene.friction * at.slip;
+  at.by_pressure = times(hot.at_node, at.pressure.matrix());
+  at.by_temperature = times(hot.at_node, at.temperature.matrix());
+  at.slip = times(hot.s, ((1 - at.phi) * at.pressure).matrix());
+  at.slip += (1 - at.phi) * at.by_pressure - at.slope * at.pressure * at.by_temperature;
+  at.slip = x.v0 + grid.scene.friction * at.slip;
+  at.slip.matrix().noalias() += share * (x.v * h);
   return at;
+}
+
+/// On the values of p-hat or T*, by the derivative of B at each node.
+MatrixXd lost_velocity(const HotFriction& hot, const ArrayXd& by) {
+  return hot.s * by.matrix().asDiagonal() + by.matrix().asDiagonal() * hot.at_node;
 }
 
 MatrixXd jacobian_with_law(const ContactGrid& grid, double share, const LawAtNodes& at) {
   const TractionOperators& x = grid.tractions;
-  const HotFriction& hot = *grid.hot;
-  const auto dt = grid.thermal.temperature.topRows(x.p.rows());
-  const ArrayXd lost = 1 - at.phi, bent = at.slope * at.pressure;
-  const auto rows = [](const ArrayXd& by) { return by.matrix().asDiagonal(); };
-  const MatrixXd db = rows(lost) * x.p - rows(bent) * dt;
-  MatrixXd dv = product(1, hot.s, db);
-  dv += rows(lost) * hot.p - rows(bent) * hot.t;
-  dv -= rows(at.slope * at.by_temperature) * x.p + rows(at.slope * at.by_pressure) * dt;
-  const ArrayXd by_p = share * grid.nodes.sigma * at.slip * at.phi,
-                by_v = share * grid.nodes.sigma * at.pressure * at.phi,
-                by_t = share * grid.nodes.sigma * at.slip * bent;
-  return grid.rules.slip.p - rows(by_p) * x.p - rows(by_v) * x.v -
-         rows(grid.scene.friction * by_v) * dv - rows(by_t) * dt;
+  const ArrayXd bent = at.slope * at.pressure;
+  const ArrayXd by_v = share * grid.nodes.sigma * at.pressure * at.phi;
+  MatrixXd by_p = lost_velocity(*grid.hot, 1 - at.phi), by_t = lost_velocity(*grid.hot, -bent);
+  by_p.diagonal().array() -= at.slope * at.by_temperature;
+  by_t.diagonal().array() -= at.slope * at.by_pressure;
+  const VectorXd times_v = grid.scene.friction * by_v;
+  by_p = times_v.asDiagonal() * by_p;
+  by_t = times_v.asDiagonal() * by_t;
+  by_p.diagonal().array() += share * grid.nodes.sigma * at.slip * at.phi;
+  by_t.diagonal().array() += share * grid.nodes.sigma * at.slip * bent;
+  MatrixXd jacobian = grid.rules.slip.p - by_v.matrix().asDiagonal() * x.v;
+  add_product(-1, by_p, x.p, jacobian);
+  add_product(-1, by_t, grid.thermal.temperature.topRows(x.p.rows()), jacobian);
+  return jacobian;
 }
 
 /// As newton(), with steps that are halved until the residual falls.
@@ -88,7 +102,7 @@ int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
   Eigen::PartialPivLU<MatrixXd> jacobian;
   double moved = 1;
   for (int step = 1; step <= 40; ++step) {
-    if (moved > 1e-3) jacobian = factors_of(jacobian_with_law(grid, share, at));
+    if (moved > 1e-2) jacobian = factors_of(jacobian_with_law(grid, share, at));
     const VectorXd change = solve(jacobian, missing);
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
@@ -249,7 +263,7 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   Nodes nodes = place_nodes(zones, rules.slip, rules.stick, rules.layer);
   const GaussLegendre& graded =
       scene.law ? rule_for_temperatures(scene, zones, rules) : rules.graded;
-  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, graded);
+  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, {graded, rules.graded});
   std::optional<Exchange> crossing;
   if (exchanges(scene, zones)) {
     crossing = exchange(scene, formulation, nodes, rules, terms);
@@ -263,7 +277,7 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
       scene, rules, std::move(nodes), std::move(thermal), std::move(tractions), std::move(crossing),
       bulk};
   if (!scene.law) return grid;
-  grid.hot = hot_friction(grid.nodes, rules.slip, grid.tractions.p, grid.thermal.temperature);
+  grid.hot = hot_friction(grid.nodes, rules.slip);
   grid.hot->bulk = grid.thermal.bulk.temperature;
   return grid;
 }
@@ -336,11 +350,31 @@ VectorXd carter_h(const ContactGrid& grid) {
   return to_legendre(grid.rules.slip, h.matrix());
 }
 
+int picard(const ContactGrid& grid, VectorXd& h) {
+  const TractionOperators& tractions = grid.tractions;
+  VectorXd now = h, p, v;
+  double before = 1;
+  for (int step = 1; step <= 25; ++step) {
+    p.noalias() = tractions.p * now;
+    v.noalias() = tractions.v * now;
+    const ArrayXd product = (p.array() + tractions.p0) * (v.array() + tractions.v0);
+    const VectorXd next = to_legendre(grid.rules.slip, (grid.nodes.sigma * product).matrix());
+    const double moved = (next - now).lpNorm<Infinity>() / next.lpNorm<Infinity>();
+    if (!(moved < before / 10)) return 0;
+    now = next;
+    if (step > 1) h = now;
+    if ((step > 1 ? moved / before : 1) * moved < 1e-13) return step;
+    before = moved;
+  }
+  return 0;
+}
+
 int solve_flux(const ContactGrid& grid, VectorXd& h) {
   const auto slips = [&](double share, const VectorXd& at) {
     return (slip_factor(grid, share, at) > 0).all();
   };
-  const int direct = newton(grid, 1, h);
+  int direct = grid.hot ? 0 : picard(grid, h);
+  if (direct == 0) direct = newton(grid, 1, h);
   if (direct > 0 && slips(1, h)) return direct;
   VectorXd continued = carter_h(grid);
   const double shortest = grid.hot ? 1.005 : 1.05;

@@ -66,11 +66,16 @@ Resultants resultants(const ContactGrid& grid, const Eigen::VectorXd& h);
 /// Solve @eq:h at the given share of H from the start h; the number of steps, 0 if it fails.
 int newton(const ContactGrid& grid, double share, Eigen::VectorXd& h);
 
+/// The same at the full H, with a constant coefficient of friction, by @eq:h itself; 0 where heat is
+/// not weak. Then h is a better start, or as it was.
+int picard(const ContactGrid& grid, Eigen::VectorXd& h);
+
 /// The Legendre coefficients of Carter's h, as many as the grid has slip nodes.
 Eigen::VectorXd carter_h(const ContactGrid& grid);
 
-/// Solve by Newton's method from h or, if that root is inadmissible, by continuation in H from
-/// Carter's h; steps at the full H, 0 if both fail. If only the continuation does, h is that root.
+/// Solve by Picard's iteration or Newton's method from h or, if that root is inadmissible, by
+/// continuation in H from Carter's h; steps at the full H, 0 if all fail. If only the continuation
+/// does, h is that root.
 int solve_flux(const ContactGrid& grid, Eigen::VectorXd& h);
 
 /// The factors of the tractions (@sec:admissibility) for an h: p-hat at all nodes; v-hat at the

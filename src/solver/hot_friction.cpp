@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/product.hpp"
 
 namespace thermoroll {
 
@@ -44,18 +43,11 @@ MatrixXd derivative_at_node(const Nodes& z, const GaussLegendre& rule, const Arr
   return share.matrix().asDiagonal() * derivative;
 }
 
-HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule, const MatrixXd& p,
-                         const MatrixXd& temperature) {
+HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule) {
   const ArrayXd weight = measure(z, rule);
   ArrayXd arm = z.s + z.zones.slip / 2;  // t + b0
   if (z.zones.stick == 0) arm.setOnes();
-  const MatrixXd at_node = derivative_at_node(z, rule, weight);
-  const Index n = z.y.size();
-  return {lost_friction_matrix(z, weight),
-          at_node,
-          product(1, at_node, p),
-          product(1, at_node, temperature.topRows(n)),
-          weight,
+  return {lost_friction_matrix(z, weight), derivative_at_node(z, rule, weight), weight,
           arm * weight};
 }
 

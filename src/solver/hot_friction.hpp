@@ -12,16 +12,13 @@ namespace thermoroll {
 struct HotFriction {
   Eigen::MatrixXd s;  // S of @eq:lost-friction on the values of B, n x n, but for B' at the node
   Eigen::MatrixXd at_node;  // the weight of B' at the node itself, on the values of B, n x n
-  Eigen::MatrixXd p, t;     // at_node times p-hat and T*, a column for each term of h
   Eigen::ArrayXd weight;    // of the integral in S
   Eigen::ArrayXd moment;    // of that for the traction, @eq:lost-sums
   Eigen::ArrayXd bulk{};    // the part of T* by a bulk difference at all nodes, empty without one
 };
 
-/// These matrices on the nodes of a grid and the rule of its slip zone, with p of p-hat and the
-/// matrix of T*.
-HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule, const Eigen::MatrixXd& p,
-                         const Eigen::MatrixXd& temperature);
+/// These matrices on the nodes of a grid and the rule of its slip zone.
+HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule);
 
 /// The graded rule of the thermal terms of a grid with a law.
 const GaussLegendre& rule_for_temperatures(const Scene& scene, const ZoneLengths& zones,

@@ -25,9 +25,13 @@ struct ThermalTerms {
   Eigen::MatrixXd temperature{};
 };
 
-/// These matrices on the nodes of a grid, for an h of so many terms, by graded rules of a multiple
-/// of four nodes.
+/// The graded rules of a multiple of four nodes for targets in the slip and in the stick zone.
+struct TargetRules {
+  const GaussLegendre &slip, &stick;
+};
+
+/// These matrices on the nodes of a grid, for an h of so many terms.
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z,
-                           Eigen::Index terms, const GaussLegendre& rule);
+                           Eigen::Index terms, const TargetRules& rules);
 
 }  // namespace thermoroll

@@ -59,7 +59,8 @@ Found solve_at(const Bodies& x, const ZoneLengths& at, int n) {
   const GridRules rules(n, at);
   const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
   const auto terms_of = [&](int body) {
-    return thermal_terms(alone(x, body), Formulation::corrected, nodes, n, rounded_up(4, n + 8));
+    const GaussLegendre& rule = rounded_up(4, n + 8);
+    return thermal_terms(alone(x, body), Formulation::corrected, nodes, n, {rule, rule});
   };
   ThermalTerms both = terms_of(1);
   const ThermalTerms second = terms_of(2);
