@@ -62,8 +62,7 @@ struct LastGrid {
   SmoothFlux flux = smooth_flux(x);
   ContactGrid grid = contact_grid(steel, sign, flux.zones(), 60);
   ThermalTerms thermal(Eigen::Index terms) const {
-    const GaussLegendre& rule = grid.rules.graded;
-    return thermal_terms(steel, sign, grid.nodes, terms, {rule, rule});
+    return thermal_terms(steel, sign, grid.nodes, terms, grid.rules.graded);
   }
 };
 

@@ -382,7 +382,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance,
   const bool exact = tolerance < 1e-7;
   bool alone = exact, inside = true;
   TractionLimit limit = unknown;
-  for (int n = std::max(alone ? 24 : 20, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
+  for (int n = std::max(alone ? 24 : 18, finer_than(curve.n)); n > curve.n; n = finer_than(n)) {
     curve.n = n;
     alone = alone || n > 48 || !level.kinks.empty() || !inside || needs_more_points(top);
     Points points = around(curve, top, alone, 1e-3, level);
@@ -508,7 +508,9 @@ bool is_told_from(const TractionLimit& limit, const CoupledSolution& x, Branch b
                   double tolerance) {
   const double side = branch == Branch::rising ? -1 : 1, by = x.value(creep) - limit.creep;
   const double of_limit = std::min(limit.creep_error, tolerance * std::abs(limit.creep));
-  return side * by > 10 * x.error(creep) + of_limit;
+  const double apart = std::abs(x.value(traction) - limit.traction);
+  const bool rounded = apart < 5e-13 * std::abs(limit.traction);
+  return !rounded && side * by > 10 * x.error(creep) + of_limit;
 }
 
 CoupledSolution solve_closer(const Scene& scene, const Approach& approach, double asked,

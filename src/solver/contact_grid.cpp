@@ -102,7 +102,7 @@ int newton_with_law(const ContactGrid& grid, double share, VectorXd& h) {
   Eigen::PartialPivLU<MatrixXd> jacobian;
   double moved = 1;
   for (int step = 1; step <= 40; ++step) {
-    if (moved > 1e-2) jacobian = factors_of(jacobian_with_law(grid, share, at));
+    if (moved > 1e-3) jacobian = factors_of(jacobian_with_law(grid, share, at));
     const VectorXd change = solve(jacobian, missing);
     moved = change.lpNorm<Infinity>() / h.lpNorm<Infinity>();
     if (!std::isfinite(moved)) return 0;
@@ -263,7 +263,7 @@ ContactGrid contact_grid(const Scene& scene, Formulation formulation, const Zone
   Nodes nodes = place_nodes(zones, rules.slip, rules.stick, rules.layer);
   const GaussLegendre& graded =
       scene.law ? rule_for_temperatures(scene, zones, rules) : rules.graded;
-  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, {graded, rules.graded});
+  ThermalTerms thermal = thermal_terms(scene, formulation, nodes, terms, graded);
   std::optional<Exchange> crossing;
   if (exchanges(scene, zones)) {
     crossing = exchange(scene, formulation, nodes, rules, terms);
@@ -352,18 +352,20 @@ VectorXd carter_h(const ContactGrid& grid) {
 
 int picard(const ContactGrid& grid, VectorXd& h) {
   const TractionOperators& tractions = grid.tractions;
-  VectorXd now = h, p, v;
+  const GaussLegendre& rule = grid.rules.slip;
+  VectorXd now = h, p, v, missing;
   double before = 1;
   for (int step = 1; step <= 25; ++step) {
     p.noalias() = tractions.p * now;
     v.noalias() = tractions.v * now;
-    const ArrayXd product = (p.array() + tractions.p0) * (v.array() + tractions.v0);
-    const VectorXd next = to_legendre(grid.rules.slip, (grid.nodes.sigma * product).matrix());
-    const double moved = (next - now).lpNorm<Infinity>() / next.lpNorm<Infinity>();
+    missing.noalias() = -rule.p * now;
+    missing.array() += grid.nodes.sigma * (p.array() + tractions.p0) * (v.array() + tractions.v0);
+    const VectorXd change = to_legendre(rule, missing);
+    now += change;
+    const double moved = change.lpNorm<Infinity>() / now.lpNorm<Infinity>();
     if (!(moved < before / 10)) return 0;
-    now = next;
     if (step > 1) h = now;
-    if ((step > 1 ? moved / before : 1) * moved < 1e-13) return step;
+    if ((step > 1 ? moved / before : 1) * moved < 1e-15) return step;
     before = moved;
   }
   return 0;

@@ -66,8 +66,8 @@ Resultants resultants(const ContactGrid& grid, const Eigen::VectorXd& h);
 /// Solve @eq:h at the given share of H from the start h; the number of steps, 0 if it fails.
 int newton(const ContactGrid& grid, double share, Eigen::VectorXd& h);
 
-/// The same at the full H, with a constant coefficient of friction, by @eq:h itself; 0 where heat is
-/// not weak. Then h is a better start, or as it was.
+/// The same at the full H, with a constant coefficient of friction, by @eq:h itself; 0 where heat
+/// is not weak. Then h is a better start, or as it was.
 int picard(const ContactGrid& grid, Eigen::VectorXd& h);
 
 /// The Legendre coefficients of Carter's h, as many as the grid has slip nodes.

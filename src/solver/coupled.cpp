@@ -128,11 +128,11 @@ Results share_of_heat(const Scene& scene, const GridSolution& level, const Presc
 /// Relative errors due to the graded rules of n unknowns.
 Results error_of_rules(const Scene& scene, int n) {
   const double strain = scene.friction * heating_of_both(scene) * std::sqrt(scene.peclet);
-  const double error = 4e-7 * std::exp(-0.53 * (graded_nodes(n) - 28)) * std::min(1.0, strain);
+  const double of_28 = (scene.law ? 1e-7 : 4e-7) * std::min(1.0, strain);
+  const double error = of_28 * std::exp(-0.53 * (graded_nodes(n) - 28));
   const double speed = scene.peclet / 10;
   Results errors = Results::Constant(error / 8 * std::clamp(speed, 0.02, 1.0));
-  const double of_heat = error * std::clamp(speed, 0.05, 1.0);
-  errors(heat_integral) = errors(max_temperature) = (scene.law ? 0.25 : 1) * of_heat;
+  errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
   if (is_uneven(scene)) errors += 2e-16 * unevenness(scene);
   return errors;

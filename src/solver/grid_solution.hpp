@@ -20,7 +20,7 @@ struct GridSolution {
   Results value = Results::Zero();
   Eigen::VectorXd h{};                     // Legendre coefficients; none before the first grid
   HottestPoint peak{};                     // the hottest point of the surface
-  int newton_steps = 0;                    // 0 if Newton's method failed
+  int newton_steps = 0;                    // or Picard's; 0 if Newton's method failed
   std::vector<Violation> violations{};     // if it is not admissible
   std::optional<CrossingHeat> crossing{};  // heat between both bodies, if solved for
   std::vector<Kink> kinks{};               // of a law of friction

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace thermoroll {
 
 using Eigen::ArrayXd;
@@ -53,7 +52,7 @@ HotFriction hot_friction(const Nodes& z, const GaussLegendre& rule) {
 
 const GaussLegendre& rule_for_temperatures(const Scene& scene, const ZoneLengths& zones,
                                            const GridRules& rules) {
-  const double more = 8 + 5 * decades_beyond(scene.peclet * zones.slip);
+  const double more = 16 + 5 * decades_beyond(scene.peclet * zones.slip);
   const double nodes = static_cast<double>(rules.graded.x.size()) + more;
   return rounded_up(4, static_cast<int>(std::min(nodes, most_unknowns + 24.0)));
 }

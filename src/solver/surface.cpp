@@ -242,7 +242,7 @@ HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction
     const auto own = temperature_and_slope(zones, conduction, h, 1 + place, 1 - place, 0, rule);
     return with_series(own, zones, place, more);
   };
-  const double small = std::pow(rule.x.size(), -6);
+  const double small = more.size() > 0 ? 0 : std::pow(rule.x.size(), -6);
   double low = -1, high = 1, curvature = near.curvature, y = near.y, last = y, before = 0,
          hottest = more.size() > 0 ? temperature(-1).value : 0;
   for (int step = 0;; ++step) {
@@ -255,9 +255,9 @@ HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction
     const bool at_edge = 1 - y < 1e-12;
     const double move = at_edge ? 0 : std::clamp(-slope / curvature, -0.3, 0.3), next = y + move;
     const bool known = step > 0 || near.value > 0;  // the curvature
-    const double left = (step > 0 ? std::abs(y - last) : 0.1) * std::abs(slope * move);
+    const double bend = (step > 0 ? 3 * std::abs(y - last) : 0.03) / (1 - std::abs(y));
     hottest = std::max(hottest, now.value);
-    if ((known && (std::abs(move) < 1e-5 || left < small)) || step == 60) {
+    if ((known && (std::abs(move) < 1e-5 || bend * std::abs(slope * move) < small)) || step == 60) {
       if (now.value < hottest * (1 - 1e-6)) return search(temperature);
       return {next, now.value * (1 + slope * move / 2), curvature};
     }

@@ -84,10 +84,9 @@ void apply_factors(ThermalTerms& thermal, const Scene& scene, Formulation formul
 }  // namespace
 
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z, Index terms,
-                           const TargetRules& rules) {
+                           const GaussLegendre& rule) {
   const Index n = z.y.size(), m = z.d.size();
   const Conduction conduction(scene, !exchanges(scene, z.zones));
-  const GaussLegendre& rule = rules.slip;
   const double slip = z.zones.slip, peclet = conduction.peclet * slip;
   ThermalTerms thermal{MatrixXd(n + m, terms), MatrixXd(n, terms), MatrixXd::Zero(n + m, terms)};
   if (scene.law) thermal.temperature.setZero(n + m, terms);
@@ -109,7 +108,7 @@ ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const No
     fill_row_of_image(sums, n - 1 - i, thermal);
   }
   thermal.df += by_derivatives(by_dh);
-  if (m > 0) fill_stick_rows(thermal, scene, conduction, z, rules.stick);
+  if (m > 0) fill_stick_rows(thermal, scene, conduction, z, rule);
   apply_factors(thermal, scene, formulation, slip, conduction.pair != nullptr);
   return thermal;
 }

@@ -25,13 +25,9 @@ struct ThermalTerms {
   Eigen::MatrixXd temperature{};
 };
 
-/// The graded rules of a multiple of four nodes for targets in the slip and in the stick zone.
-struct TargetRules {
-  const GaussLegendre &slip, &stick;
-};
-
-/// These matrices on the nodes of a grid, for an h of so many terms.
+/// These matrices on the nodes of a grid, for an h of so many terms, by graded rules of a multiple
+/// of four nodes.
 ThermalTerms thermal_terms(const Scene& scene, Formulation formulation, const Nodes& z,
-                           Eigen::Index terms, const TargetRules& rules);
+                           Eigen::Index terms, const GaussLegendre& rule);
 
 }  // namespace thermoroll

@@ -94,7 +94,7 @@ void table_of_shares(std::ostream& out, const Benchmarks& run) {
                                       {"last grid: sums with Legendre polynomials", sides - rays},
                                       {"last grid: inverses of the transforms", inverses},
                                       {"last grid: hottest point", peak},
-                                      {"last grid: Newton's method, signs, estimates", rest},
+                                      {"last grid: iteration, signs, estimates", rest},
                                       {"**all**", whole}})
     out << '"' << what << "\"," << duration(seconds) << ',' << fixed(100 * seconds / whole, 0)
         << " %\n";

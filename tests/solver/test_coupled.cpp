@@ -956,6 +956,61 @@ TEST(Coupled, ClustersLoseNoDigits) {
   }
 }
 
+// Where heat is weak, Picard's iteration finds the solution that Newton's method finds from
+// Carter's h, which ends when a step would leave 1e-13. Where heat is strong it gives up, and the
+// residual of h is no larger than that of its start.
+TEST(Coupled, WeakHeatNeedsNoJacobian) {
+  const auto grid_of = [](double heating, int n) {
+    const thermoroll::Scene scene{0.6, 4360, heating};
+    return thermoroll::contact_grid(scene, Formulation::corrected, {0.8, 1.2}, n);
+  };
+  for (const double heating : {0.0, 0.0175, 0.1})
+    for (const int n : {10, 30, 64}) {
+      const thermoroll::ContactGrid grid = grid_of(heating, n);
+      Eigen::VectorXd h = thermoroll::carter_h(grid), by_newton = h;
+      ASSERT_GT(thermoroll::picard(grid, h), 0) << heating << ' ' << n;
+      ASSERT_GT(thermoroll::newton(grid, 1, by_newton), 0);
+      const double apart = (h - by_newton).lpNorm<Eigen::Infinity>();
+      EXPECT_LE(apart, 2e-13 * h.lpNorm<Eigen::Infinity>()) << heating << ' ' << n;
+    }
+  for (const double heating : {0.5, 2.0, 20.0}) {
+    const thermoroll::ContactGrid grid = grid_of(heating, 30);
+    const auto missing = [&](const Eigen::VectorXd& h) {
+      const Eigen::ArrayXd p = grid.tractions.p0 + (grid.tractions.p * h).array();
+      const Eigen::ArrayXd v = grid.tractions.v0 + (grid.tractions.v * h).array();
+      return (grid.rules.slip.p * h - (grid.nodes.sigma * p * v).matrix()).norm();
+    };
+    const Eigen::VectorXd start = thermoroll::carter_h(grid);
+    Eigen::VectorXd h = start;
+    EXPECT_EQ(thermoroll::picard(grid, h), 0) << heating;
+    EXPECT_LE(missing(h), missing(start)) << heating;
+  }
+}
+
+// The search for the hottest point of n + 24 nodes N ends when a step would change the temperature
+// by less than N^-6 of it, from wherever a coarser grid has it, and with a curvature that is 0.02
+// off. The other search ends within 1e-5, squared. The error of the rule itself, which is counted
+// as 12 N^-6, differs from place to place.
+TEST(Coupled, HottestPointIsFoundToTheErrorOfItsRule) {
+  for (const double peclet : {1.0, 100.0, 4360.0, 1e5}) {
+    const thermoroll::Scene scene{0.6, peclet, 0.0175};
+    const thermoroll::ZoneLengths at{0.8, 1.2};
+    const auto x = thermoroll::solve_on_grid(scene, Formulation::corrected, 30, at, {});
+    const thermoroll::GaussLegendre& rule = thermoroll::quadrature_rule(56);
+    const thermoroll::Conduction conduction(scene, true);
+    const auto search = [&](const thermoroll::HottestPoint& from) {
+      return thermoroll::find_hottest(at, conduction, x.h, from, rule);
+    };
+    const thermoroll::HottestPoint top = search(x.peak), exact = search({top.y, 1, top.curvature});
+    for (double off = 1e-7; off < 0.2; off *= 1.7)
+      for (const double sign : {-1.0, 1.0}) {
+        const auto found = search({exact.y + sign * off, 1, 1.02 * exact.curvature});
+        EXPECT_NEAR(found.value / exact.value, 1, 12 * std::pow(56, -6))
+            << peclet << ' ' << sign * off;
+      }
+  }
+}
+
 // Strong heat at high speed has beta > 0, and twice the unknowns with beta = 0 have the same
 // solution at its border; the largest temperature is that of its flux.
 TEST(Coupled, MovedEndsAgreeWithPlainOnes) {

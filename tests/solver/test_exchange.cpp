@@ -59,8 +59,7 @@ Found solve_at(const Bodies& x, const ZoneLengths& at, int n) {
   const GridRules rules(n, at);
   const Nodes nodes = place_nodes(at, rules.slip, rules.stick);
   const auto terms_of = [&](int body) {
-    const GaussLegendre& rule = rounded_up(4, n + 8);
-    return thermal_terms(alone(x, body), Formulation::corrected, nodes, n, {rule, rule});
+    return thermal_terms(alone(x, body), Formulation::corrected, nodes, n, rounded_up(4, n + 8));
   };
   ThermalTerms both = terms_of(1);
   const ThermalTerms second = terms_of(2);

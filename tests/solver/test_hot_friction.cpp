@@ -600,6 +600,29 @@ TEST(HotFriction, MaximumOfTheCurve) {
   }
 }
 
+// At the speeds of wheels the creep of the maximum was up to five times as far off as stated: the
+// graded rules had too few nodes for temperatures, so that finer grids were no better. The finer
+// one is off by less than a tenth of what is stated.
+TEST(HotFriction, MaximumAtSpeedIsWithinItsErrors) {
+  for (const auto& [f, peclet, heating, lambda] :
+       {std::array{0.599, 1.06e4, 0.1, 3.09}, std::array{0.265, 1.161e4, 0.05073, 3.08},
+        std::array{0.466, 1923.0, 0.001633, 3.51}, std::array{0.412, 4.205e4, 0.1, 1.47}}) {
+    Scene scene{f, peclet, heating};
+    scene.law = linear_friction({f / std::sqrt(peclet) / lambda});
+    const auto limit = [&](double share, double tolerance) {
+      const auto x = solve(scene, {Quantity::traction, share * scene.friction}, tolerance).limit;
+      return x.value();
+    };
+    const thermoroll::TractionLimit fine = limit(0.25, 1e-9);
+    for (const double share : {0.1, 0.2, 0.25, 0.3, 0.35, 0.4}) {
+      const thermoroll::TractionLimit x = limit(share, 1e-6);
+      EXPECT_LE(fine.creep_error, 0.1 * x.creep_error) << peclet << ' ' << share;
+      EXPECT_NEAR(x.traction, fine.traction, x.traction_error) << peclet << ' ' << share;
+      EXPECT_NEAR(x.creep, fine.creep, x.creep_error) << peclet << ' ' << share;
+    }
+  }
+}
+
 // Its maximum is a top of the curve that creeps give: solutions at a hundredth to either side of
 // its creep are lower, by the same to first order, and the parabola through them and its own creep
 // has the top there. The cubic term of the curve, of the order of the curvature itself, moves that
@@ -665,7 +688,7 @@ TEST(HotFriction, AMaximumMayHaveALargerErrorThanItsTraction) {
     const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, reference}));
     return solve(scene, {Quantity::traction, asked}, tolerance).limit.value();
   };
-  const auto rough = limit_of(0.0247, 0.3, 1e-4), finer = limit_of(0.0247, 0.3, 1e-6);
+  const auto rough = limit_of(0.0248, 0.3, 1e-4), finer = limit_of(0.0248, 0.3, 1e-6);
   EXPECT_LT(rough.traction_error, 1e-4);
   EXPECT_GT(rough.creep_error, 1e-4);
   EXPECT_NEAR(rough.traction, finer.traction, rough.traction_error + finer.traction_error);
@@ -790,7 +813,7 @@ TEST(HotFriction, AMaximumIsFollowed) {
   const auto solved = [&](const Prescribed& given) {
     return thermoroll::solve_coupled(scene, {Formulation::printed, 7e-3}, given);
   };
-  const auto x = solved({Quantity::traction, 0.117216605433}).limit;
+  const auto x = solved({Quantity::traction, 0.08}).limit;
   ASSERT_TRUE(x);
   const CoupledSolution before = solved({Quantity::stick_slip_border, -0.985});
   EXPECT_GT(x->traction, 1.2 * before.value(Quantity::traction));

@@ -131,7 +131,7 @@ struct CoupledSolution {
   Results value;                      ///< by Quantity
   Results error;                      ///< estimated absolute errors
   int unknowns = 0;                   ///< n, values of h on the last grid
-  int newton_steps = 0;               ///< on the last grid
+  int newton_steps = 0;               ///< on the last grid; Picard's where heat is weak
   Eigen::VectorXd h;                  ///< n Legendre coefficients in y of h, @eq:h
   std::vector<Violation> violations;  ///< why it is inadmissible; else empty
   std::vector<GridStep> trace;        ///< its grids, the last at the end; empty for simpler models
