@@ -248,8 +248,7 @@ HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction
   for (int step = 0;; ++step) {
     const SlipPoint at(1 + y, 1 - y, zones.variable);
     const TemperatureAndSlope now = temperature(y);
-    const double by_s = now.slope * zones.slip;
-    const double slope = by_s * 6 * at.u * at.v * at.du / now.value;  // of ln T, by y
+    const double slope = now.slope * zones.slip * 6 * at.u * at.v * at.du / now.value;  // of ln T
     if (step > 0) curvature = (slope - before) / (y - last);
     (slope > 0 ? low : high) = y;
     const bool at_edge = 1 - y < 1e-12;
