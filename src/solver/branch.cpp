@@ -475,7 +475,8 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     const double room = 0.1 * std::min(last.at.stick, last.at.slip);
     const bool far = k == 0 && std::abs(level.at.c0() - last.at.c0()) > room;
     const bool leaps = room > 0 && std::abs(carried(stick_slip_border)) > room;
-    if (!leaps && (far ? 0.4 : 0.02) * carried.head(compared).abs().maxCoeff() < share) break;
+    const double off = last.at.slip < 0.1 ? 1 : far ? 0.4 : 0.02;
+    if (!leaps && off * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
