@@ -136,6 +136,18 @@ TEST(Study, EstimatesAreHonest) {
   EXPECT_EQ(std::stol(values.at("study_beyond").get<std::string>()), beyond);
 }
 
+// Slip zones of a ten-thousandth and a millionth of the contact, with a law. Their heat is the cube
+// of that, its derivative by a few samples of the curve is wrong, and with it the correction of a
+// border that is off by a billionth of the zone.
+TEST(Study, TinySlipZonesWithALawMeetTheirTolerance) {
+  for (const int number : {2132, 2512}) {
+    const auto row = thermoroll::study_row(number);
+    ASSERT_TRUE(row) << number;
+    EXPECT_LE(row->error, row->tolerance) << number;
+    for (const double ratio : row->ratio) EXPECT_FALSE(ratio < 1) << number;
+  }
+}
+
 // Every kind of scene is in it, no tolerance of any is missed, and at most one stated error of a
 // thousand is too small in any.
 TEST(Study, EveryKindIsInIt) {
