@@ -83,8 +83,8 @@ int solve_flux(const ContactGrid& grid, Eigen::VectorXd& h);
 /// stick nodes reversed, then the slip nodes.
 Factors factors(const ContactGrid& grid, const Eigen::VectorXd& h);
 
-/// A kink of the lost friction along the slip zone: its place in psi, the jump of its slope by psi,
-/// and the error that it causes; the last two as a part of all friction.
+/// A kink of the lost friction along the slip zone: its place in the psi of @eq:angles, the jump of
+/// its slope by that, and the error that it causes; the last two as a part of all friction.
 struct Kink {
   double place, jump, error;
 };

@@ -223,13 +223,14 @@ std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, doubl
 }
 
 LawEnd earliest_end(const CreepLawBySpeed& law, bool brakes) {
-  LawEnd end{std::numeric_limits<double>::infinity(), {}};
+  const double never = std::numeric_limits<double>::infinity();
+  LawEnd end{brakes ? -never : never, {}};
   const std::size_t all = law.laws.size(), count = std::min<std::size_t>(all, laws_of_piece);
   for (std::size_t first = 0; first + count <= all; first += laws_of_piece - 1)
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = 0; k < count; ++k) {
         const double creep = end_at(law, first, i, k, brakes);
-        if (std::abs(creep) >= std::abs(end.creep)) continue;
+        if (brakes ? creep <= end.creep : creep >= end.creep) continue;
         const CreepLaw& one = law.laws[first + i];
         end = {creep, (brakes ? one.braking : one.driving).reason};
       }

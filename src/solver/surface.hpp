@@ -46,7 +46,7 @@ struct HottestPoint {
 /// A start for the search if there is no coarser grid, without a value.
 HottestPoint expected_hottest(const ZoneLengths& zones, double peclet);
 
-/// Find it from a nearby start, to about 1e-8 in y; a rule of a multiple of eight nodes. A Legendre
+/// Find it from a nearby start, to about 5e-7 in y; a rule of a multiple of eight nodes. A Legendre
 /// series in y may be added to T*.
 HottestPoint find_hottest(const ZoneLengths& zones, const Conduction& conduction,
                           const Eigen::VectorXd& h, const HottestPoint& near,

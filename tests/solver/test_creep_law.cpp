@@ -344,14 +344,21 @@ TEST(CreepLaw, KinksMoveAlongTheCurve) {
 TEST(CreepLaw, IsNotMadeOfCreepsThatDoNotRise) {
   const Scene steep{0.03987395297225504, 242744.3809210351, 168.59163692259787};
   const CreepLaw law = creep_law(steep, Formulation::printed, 1e-3, {0, infinity});
+  int found = 0;
   for (const double creep : {1e-6, 1e-5, 1e-4, 1.0723e-3}) {
     const std::optional<LawValue> at = evaluate(law, creep);
     if (!at.has_value()) continue;
+    ++found;
     const CoupledSolution x =
         thermoroll::solve_coupled(steep, {Formulation::printed, 1e-6}, {Quantity::creep, creep});
-    EXPECT_NEAR(at->traction, x.value(Quantity::traction), 10 * law.traction_error) << creep;
-    EXPECT_NEAR(at->temperature, x.value(Quantity::max_temperature), 10 * law.temperature_error);
+    const auto off = [&](Quantity q, double value) {
+      return std::abs(value - x.value(q)) - x.error(q);
+    };
+    EXPECT_LE(off(Quantity::traction, at->traction), law.traction_error) << creep;
+    EXPECT_LE(off(Quantity::stick_slip_border, at->border), law.border_error) << creep;
+    EXPECT_LE(off(Quantity::max_temperature, at->temperature), law.temperature_error) << creep;
   }
+  EXPECT_GE(found, 2);
   EXPECT_GT(law.driving.last_creep, 1e-5);
 }
 
@@ -368,9 +375,12 @@ TEST(CreepLaw, EndsWhereTheCreepTurnsBack) {
     const CoupledSolution x =
         thermoroll::solve_coupled(braking, {Formulation::printed, 1e-6}, {Quantity::creep, creep});
     const LawValue at = evaluate(law, -creep).value();
-    EXPECT_NEAR(-at.traction, x.value(Quantity::traction), 2 * law.traction_error) << creep;
-    EXPECT_NEAR(at.border, x.value(Quantity::stick_slip_border), 2 * law.border_error) << creep;
-    EXPECT_NEAR(at.temperature, x.value(Quantity::max_temperature), 2 * law.temperature_error);
+    const auto off = [&](Quantity q, double value) {
+      return std::abs(value - x.value(q)) - x.error(q);
+    };
+    EXPECT_LE(off(Quantity::traction, -at.traction), law.traction_error) << creep;
+    EXPECT_LE(off(Quantity::stick_slip_border, at.border), law.border_error) << creep;
+    EXPECT_LE(off(Quantity::max_temperature, at.temperature), law.temperature_error) << creep;
   }
 }
 

@@ -178,6 +178,22 @@ TEST(CreepLawBySpeed, SlowLawsEndAtHighSpeeds) {
   EXPECT_EQ(earliest_end(law, false).reason, law.laws.front().driving.reason);
 }
 
+// With a bulk difference the creep without slip is not zero, and ends of braking have both signs.
+TEST(CreepLawBySpeed, EarliestEndIsCountedFromNoSlip) {
+  CreepLawBySpeed law;
+  for (const double speed : {1.0, 1.1, 1.21, 1.331, 1.4641}) {
+    CreepLaw one;
+    one.no_slip_creep = 0.1;
+    one.driving = {1, {}, 0.3, "driving ends"};
+    one.braking = {1, {}, speed == 1.21 ? 0.05 : 0.14, "braking ends"};
+    law.speeds.push_back(speed);
+    law.laws.push_back(one);
+  }
+  EXPECT_DOUBLE_EQ(earliest_end(law, true).creep, 0.1 - 0.05);
+  EXPECT_DOUBLE_EQ(earliest_end(law, false).creep, 0.1 + 0.3);
+  EXPECT_FALSE(evaluate(law, 0.04, 1.0));
+}
+
 // Contact is lost at the creep 7.78 where Pe is 0.5, and before that where it is larger. Each law
 // is taken at creeps beyond full slip that grow as the root of the speed over its own.
 TEST(CreepLawBySpeed, EndsWithTheFirstOfItsLaws) {

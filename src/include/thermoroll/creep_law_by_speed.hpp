@@ -44,7 +44,7 @@ std::optional<LawValue> evaluate(const CreepLawBySpeed& law, double creep, doubl
 /// on: that at which all slips, or 1 if one of the five does not go on from there.
 double scale_of(const CreepLawBySpeed& law, std::size_t first, std::size_t i, bool brakes);
 
-/// The end of driving or braking that is nearest to no slip at the speeds of the laws.
+/// The first end of driving or braking, counted from no slip, at any speed of the laws.
 LawEnd earliest_end(const CreepLawBySpeed& law, bool brakes);
 
 }  // namespace thermoroll
