@@ -13,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -194,8 +195,9 @@ void tell_limit(const Scene& scene, const CoupledSolution* found, thermoroll_res
 }
 
 template <std::size_t n>
-void write(const std::string& message, char (&to)[n]) {
-  std::fill(to + message.copy(to, n - 1), to + n, '\0');
+void write(std::string_view text, char (&to)[n]) {
+  if (text.size() >= n) text = text.substr(0, text.rfind("; ", n - 1));
+  std::fill(to + text.copy(to, n - 1), to + n, '\0');
 }
 
 /// Fill a structure that has doubles only with NaN.
@@ -285,11 +287,9 @@ int status_of(const std::exception& error) {
 }
 
 /// A refusal that names an option of the command line names the member: underscores for hyphens.
-std::string of_members(std::string message) {
-  const std::size_t end = message.find(' ');
-  if (end == std::string::npos || message.compare(end, 3, " = ") != 0) return message;
-  std::replace(message.begin(), message.begin() + static_cast<long>(end), '-', '_');
-  return message;
+void name_member(char* message) {
+  char* const end = std::strchr(message, ' ');
+  if (end != nullptr && std::strncmp(end, " = ", 3) == 0) std::replace(message, end, '-', '_');
 }
 
 /// Do the work, or write why it failed into an answer or the info of a law.
@@ -301,7 +301,8 @@ void attempt(Told& told, const Work& work) noexcept try {
   write("there is not enough memory", told.message);
 } catch (const std::exception& error) {
   told.status = status_of(error);
-  write(of_members(error.what()), told.message);
+  write(error.what(), told.message);
+  name_member(told.message);
 } catch (...) {
   told.status = THERMOROLL_FAILED;
 }
@@ -435,8 +436,9 @@ std::string ends_of(const CreepLaw& law) {
 }
 
 void tell(const CreepLaw& law, const LawUnits& unit, thermoroll_law_info& info) {
-  info.driving_end = (law.driving.last_creep + law.no_slip_creep) * unit.creep;
-  info.braking_end = (law.braking.last_creep - law.no_slip_creep) * unit.creep;
+  const auto reach = [](const LawHalf& half) { return std::max(half.last_creep, 0.0); };
+  info.driving_end = (reach(law.driving) + law.no_slip_creep) * unit.creep;
+  info.braking_end = (reach(law.braking) - law.no_slip_creep) * unit.creep;
   write(ends_of(law), info.message);
 }
 

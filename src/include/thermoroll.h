@@ -141,10 +141,10 @@ struct thermoroll_result {
   int32_t model;     ///< enum thermoroll_model
   int32_t unknowns;  ///< of the last grid; 0 without one
   struct thermoroll_values value, error;
-  char message[256];  ///< why it failed, or why this model was enough; ends with a zero
+  char message[256];  ///< why it failed, or why this model was enough; as long as it fits
   struct thermoroll_units unit;
   struct thermoroll_physical physical, physical_error;
-  char notes[256];  ///< data that are beyond the model, such as a modulus in GPa; or empty
+  char notes[256];  ///< data beyond the model, such as a modulus in GPa, as many as fit; or empty
 };
 
 /// A point along the contact, which the surfaces enter at s = -1 and leave at s = 1; or where the
@@ -170,7 +170,9 @@ struct thermoroll_law;
 struct thermoroll_law_info {
   uint32_t size;                    ///< sizeof(struct thermoroll_law_info), set by the caller
   int32_t status;                   ///< enum thermoroll_status
-  double driving_end, braking_end;  ///< sizes of the creeps where it ends; infinite without an end
+  /// Sizes of the creeps where it ends, infinite without an end. With a bulk difference both may
+  /// be on one side of 0; then one of them is negative.
+  double driving_end, braking_end;
   char message[256];                ///< why there is no law, or why it ends; or empty
 };
 

@@ -56,6 +56,7 @@ void check(const Scene& scene) {
   require(scene.friction > 0, "friction", scene.friction, "positive");
   require(scene.peclet > 0, "peclet", scene.peclet, "positive");
   require(scene.peclet >= 1e-280, "peclet", scene.peclet, "at least 1e-280");
+  require(scene.peclet <= 1e306, "peclet", scene.peclet, "at most 1e306");
   require(scene.heating >= 0, "heating", scene.heating, "zero or positive");
   const Roller& roller = scene.roller;
   require(roller.conductivity_ratio >= 0, "conductivity-ratio", roller.conductivity_ratio,
@@ -64,6 +65,7 @@ void check(const Scene& scene) {
   require(roller.peclet >= 0, "peclet-2", roller.peclet, "zero or positive");
   require(roller.peclet == 0 || roller.peclet >= 1e-280, "peclet-2", roller.peclet,
           "at least 1e-280");
+  require(roller.peclet <= 1e306, "peclet-2", roller.peclet, "at most 1e306");
   require(scene.bulk_difference == 0 || roller.conductivity_ratio > 0, "bulk-difference",
           scene.bulk_difference, "0, as the roller is an insulator");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);

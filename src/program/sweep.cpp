@@ -242,7 +242,7 @@ void Sweep::continue_file() {
   output_->cut(done.bytes);
   if (has_header() && done.bytes == 0) output_->put(header_of(table_));
   output_->put("", done.rows);
-  count_.rows = done.rows;
+  count_.rows = count_.resumed = done.rows;
   count_.failed = done.failed;
   if (first) put(0, std::move(*first));
 }
@@ -266,7 +266,7 @@ std::string summary(const SweepCount& x) {
   rusage use{};
   getrusage(RUSAGE_SELF, &use);
   return std::to_string(x.rows) + " rows, " + std::to_string(x.failed) + " with an error, " +
-         fixed(static_cast<double>(x.rows) / taken.count(), 0) + " rows/s, " +
+         fixed(static_cast<double>(x.rows - x.resumed) / taken.count(), 0) + " rows/s, " +
          fixed(static_cast<double>(use.ru_maxrss) / 1024, 0) + " MB";
 }
 

@@ -316,8 +316,12 @@ bool has_failed(const SweepTable& t, const std::string& row) {
   }
   std::vector<std::string> cells;
   read_cells(row.substr(0, row.size() - 1), cells);
-  for (std::size_t i = 0; i < std::min(cells.size(), t.written.size()); ++i)
-    if (t.written[i].name == "status") return cells[i] != "0";
+  if (cells.size() != t.written.size()) throw std::invalid_argument("no row of results");
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (t.written[i].name == "status") {
+      if (!to_number(cells[i])) throw std::invalid_argument("no row of results");
+      return cells[i] != "0";
+    }
   return false;
 }
 

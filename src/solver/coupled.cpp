@@ -600,13 +600,15 @@ void check(const Scene& scene, const Prescribed& given) {
   if (!any) check(scene.friction, more);
 }
 
-Carter carter_given(double friction, const Prescribed& given) {
+Carter carter_given(double friction, const Prescribed& given, Direction direction) {
   check(friction, given);
   if (given.quantity == traction) return carter(friction, given.value);
   const bool by_border = given.quantity == stick_slip_border;
   const double half = by_border ? (1 - given.value) / 2 : pi * given.value / (2 * friction);
-  require(half < 1, "creep", given.value,
-          "below 2 f / pi for this method: the whole contact slips from there on");
+  const double sign = sign_of(direction);
+  require(half < 1, "creep", sign * given.value,
+          (sign > 0 ? "below 2 f / pi" : "above -2 f / pi") +
+              std::string(" for this method: the whole contact slips from there on"));
   const double b = by_border ? (1 + given.value) / 2 : 1 - half;
   return {friction, b, half, b - half, 2 * friction / pi * half};
 }

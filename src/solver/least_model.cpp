@@ -284,7 +284,7 @@ double largest_error(const CoupledSolution& x) {
 CoupledSolution closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
   if (slips_without_heat(scene.friction, given))
     return closed_form_in_full_slip(scene, approach, given);
-  const Carter c = carter_given(scene.friction, given);
+  const Carter c = carter_given(scene.friction, given, scene.direction);
   const ZoneLengths at = zones_of(c);
   const VectorXd h = carter_h(at, scene.friction);
   const HottestPoint top = hottest_of_carter(at, scene.friction, scene.peclet, approach.tolerance);
@@ -297,7 +297,7 @@ CoupledSolution closed_form(const Scene& scene, const Approach& approach, const 
 }
 
 CoupledSolution first_order(const Scene& scene, const Approach& approach, const Prescribed& given) {
-  const Carter cold = carter_given(scene.friction, given);
+  const Carter cold = carter_given(scene.friction, given, scene.direction);
   const VectorXd h0 = carter_h(zones_of(cold), scene.friction);
   const Formulation formulation = approach.formulation;
   const Correction x = correct(scene, formulation, given, cold, h0, 16);
@@ -328,7 +328,7 @@ Choice least_model(const Scene& scene, const Approach& approach, const Prescribe
   if (const char* why = why_coupled(scene))
     return {Model::coupled, why, solve_coupled(scene, approach, given)};
   if (slips_without_heat(scene.friction, given)) return least_in_full_slip(scene, approach, given);
-  double change = expected_change(scene, carter_given(scene.friction, given));
+  double change = expected_change(scene, carter_given(scene.friction, given, scene.direction));
   if (change <= tolerance) {
     CoupledSolution x = closed_form(scene, approach, given);
     change = largest_error(x);

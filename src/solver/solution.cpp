@@ -30,15 +30,16 @@ void set_given(const Prescribed& given, Results& value, Results& error) {
 
 Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const auto [model, reason, x] = solve_by_method(scene, approach, given);
-  if (!x.error.allFinite())
+  if (!x.error.allFinite() && model == Model::first_order)
     throw std::runtime_error("first-order: heat is too strong for one linear correction");
+  if (!x.error.allFinite()) throw NotConverged("no finite error was found");
   Results value = x.value, error = x.error;
   set_given(given, value, error);
   return {scene, approach, value, error, x, true, model, reason, x.violations, x.trace};
 }
 
 Solution solve_closed_form(const Scene& scene, const Approach& approach, const Prescribed& given) {
-  const Carter c = carter_given(scene.friction, given);
+  const Carter c = carter_given(scene.friction, given, scene.direction);
   const Peak top = hottest_point(smooth_flux(c), Conduction(scene), 1e-9);
   Results value = carter_values(c), error = Results::Zero();
   value(max_temperature) = heat_share(scene) * top.temperature.value;
@@ -693,6 +694,8 @@ SolvedScene solve_scene(const GivenScene& c) try {
 
 Curve temperature_curve(const Solution& x, const std::vector<double>& at, double depth) {
   require(depth >= 0, "depth", depth, "zero or positive");
+  for (const double s : at) require(std::isfinite(s), "s", s, "a finite number");
+  if (at.empty()) return {};
   if (const auto* scheme = std::get_if<PublishedSolution>(&x.found)) {
     require(depth == 0, "depth", depth, "0 with gauss-chebyshev, whose rule is for the surface");
     return scheme_curve(x.scene, *scheme, at);

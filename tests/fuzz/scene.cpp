@@ -25,7 +25,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Scene scene{x[0], x[2], x[3], {x[5], x[6], x[7]}, direction};
   scene.bulk_difference = x[8];
   const LawOfFriction law{static_cast<LawKind>(data[0] / 12 % 4), {x[9], x[10], x[11]}};
-  fuzz::done_or_refused<std::invalid_argument, std::runtime_error, NotResolved>([&] {
+  fuzz::done_or_refused<std::invalid_argument, std::runtime_error, NotResolved, BeyondLimit>([&] {
     if (x[9] != 0) {
       check(law);
       scene.law = law;

@@ -228,9 +228,16 @@ def Broadcasts():
     assert thermoroll.solve(friction=0.6, traction=[], peclet=10).creep.shape == (0,)
     every_other = thermoroll.solve(friction=0.6, traction=np.array([0.1, 9, 0.4, 9])[::2], peclet=10.0, heating=0.01)
     assert every_other.traction.tolist() == [0.1, 0.4]
-    thermoroll._block = 4  # a long array is cut into blocks
     blocks = thermoroll.solve(friction=0.6, traction=np.linspace(-0.5, 0.5, 11), peclet=10.0)
     assert (blocks.status == 0).all() and np.allclose(blocks.traction, np.linspace(-0.5, 0.5, 11), atol=0)
+    solve_block, sizes = thermoroll._solve, []  # a long array is cut into blocks
+    def counted(scenes, results, size, threads):
+        sizes.append(size)
+        return solve_block(scenes, results, size, threads)
+    thermoroll._first_block, thermoroll._solve = 4, counted
+    again = thermoroll.solve(friction=0.6, traction=np.linspace(-0.5, 0.5, 11), peclet=10.0)
+    assert sizes == [4, 7]
+    np.testing.assert_array_equal(again.creep, blocks.creep)
 
 
 def Scalars():

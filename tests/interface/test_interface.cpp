@@ -2,11 +2,14 @@
 #include <thermoroll.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <new>
 #include <string>
 #include <thread>
 #include <type_traits>
@@ -16,6 +19,18 @@
 #include <gtest/gtest.h>
 
 #include "thermoroll/thermoroll.hpp"
+
+// Allocations until memory runs out; never, if it is negative.
+std::atomic<long> allocations_left{-1};
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* const found = allocations_left == 0 ? nullptr : std::malloc(size + 1);
+  if (found == nullptr) throw std::bad_alloc();
+  if (allocations_left > 0) --allocations_left;
+  return found;
+}
+[[gnu::noinline]] void operator delete(void* block) noexcept { std::free(block); }
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 
 namespace {
 
@@ -245,7 +260,7 @@ TEST(Interface, FailedRowsAreNaN) {
   EXPECT_EQ(std::memcmp(&rows[0], &rows[5], sizeof rows[0]), 0);
 }
 
-// The longest refusal of the library is told to its end.
+// The longest refusal of a dimensionless scene is told to its end.
 TEST(Interface, MessagesAreWhole) {
   thermoroll_scene scene = hot();
   scene.method = THERMOROLL_CLOSED_FORM;
@@ -491,7 +506,52 @@ TEST(Interface, SiScenesAreThoseOfTheLibrary) {
   expect_nan(answer(steel()).unit);
 }
 
-// A modulus in GPa and a creep of a fifth: all notes fit, and each begins with its number.
+// Seven notes are more than fit: no note is cut.
+TEST(Interface, NotesThatDoNotFitAreLeftOut) {
+  thermoroll_scene x = wheel();
+  x.friction_law = THERMOROLL_CONSTANT;
+  x.friction_temperature = x.friction_floor = 0;
+  x.friction = 3;
+  x.half_width = 7.8;
+  x.quantity = THERMOROLL_TRACTION;
+  x.given = 2;
+  x.load = 1.2e8;
+  x.shear_modulus = 8.1e5;
+  x.diffusivity = 1.4e5;
+  x.conductivity = 50;
+  x.method = THERMOROLL_CLOSED_FORM;
+  const thermoroll_result found = answer(x);
+  ASSERT_EQ(found.status, 0) << found.message;
+  const std::string notes = found.notes, last = notes.substr(notes.rfind("; ") + 2);
+  EXPECT_GT(notes.size(), 150U) << notes;
+  EXPECT_NE(last.find(" is above "), std::string::npos) << notes;
+  EXPECT_NE(std::string("0123456789").find(last.back()), std::string::npos) << notes;
+}
+
+// Memory that runs out at any allocation of a solved scene or a refused one ends nothing.
+TEST(Interface, LackOfMemoryIsTold) {
+  int told = 0;
+  for (const double traction : {0.3, 0.9}) {
+    thermoroll_scene scene = hot();
+    scene.quantity = THERMOROLL_TRACTION;
+    scene.given = traction;
+    for (long left = 0; left < 60; ++left) {
+      thermoroll_result found{};
+      found.size = sizeof found;
+      allocations_left = left;
+      thermoroll_solve(&scene, &found, 1, 1);
+      allocations_left = -1;
+      const bool lacks = found.status == THERMOROLL_FAILED;
+      if (lacks) {
+        EXPECT_STREQ(found.message, "there is not enough memory");
+      }
+      told += lacks;
+    }
+  }
+  EXPECT_GT(told, 10);
+}
+
+// A modulus in GPa and a creep of a fifth: four notes fit, and each begins with its number.
 TEST(Interface, NotesAreWhole) {
   thermoroll_scene x = wheel();
   x.shear_modulus = 2e9;
@@ -841,6 +901,31 @@ TEST(Interface, LawIsThatOfTheLibrary) {
     EXPECT_EQ(values[k].status, THERMOROLL_REFUSED);
     EXPECT_TRUE(std::isnan(values[k].traction + values[k].max_temperature_error));
   }
+  thermoroll_law_free(law);
+}
+
+// With a bulk difference the state without slip is beyond a short reach: only the half of braking
+// is needed, from there on, and driving ends where it begins.
+TEST(Interface, LawEndsWithoutSlipWhereNoMoreIsAskedFor) {
+  thermoroll_scene scene;
+  thermoroll_scene_init(&scene, sizeof scene);
+  scene.friction = 0.3;
+  scene.peclet = 50;
+  scene.heating = scene.heating_2 = 0.2;
+  scene.roller = THERMOROLL_CONDUCTING;
+  scene.conductivity_ratio = 1;
+  scene.bulk_difference = 1;
+  scene.tolerance = 1e-3;
+  thermoroll_law_info info;
+  thermoroll_law* law = law_of(scene, 0.001, info);
+  ASSERT_NE(law, nullptr) << info.message;
+  EXPECT_GT(info.driving_end, 0.001);
+  const double beside[] = {info.driving_end * (1 - 1e-6), info.driving_end * (1 + 1e-6)};
+  thermoroll_law_value values[2]{};
+  values[0].size = sizeof values[0];
+  EXPECT_EQ(thermoroll_law_evaluate(law, beside, values, 2), 4);
+  EXPECT_EQ(values[0].status, 0);
+  EXPECT_EQ(values[1].status, 2);
   thermoroll_law_free(law);
 }
 

@@ -126,6 +126,9 @@ TEST(Scene, RefusesWhatMakesNoSense) {
   const double tiny = std::nextafter(1e-280, 0);  // kernels are not told apart below this speed
   expect_refusal(Scene{good.friction, tiny, good.heating}, "peclet", tiny, "at least 1e-280");
   EXPECT_NO_THROW(thermoroll::check(Scene{good.friction, 1e-280, good.heating}));
+  const double huge = std::nextafter(1e306, infinity);  // beyond it 2 Pe and the like overflow
+  expect_refusal(Scene{good.friction, huge, good.heating}, "peclet", huge, "at most 1e306");
+  EXPECT_NO_THROW(thermoroll::check(Scene{good.friction, 1e306, good.heating}));
   for (const double x : {-1e-9, not_a_number, infinity, -infinity})
     expect_refusal(Scene{good.friction, good.peclet, x}, "heating", x, "zero or positive");
 

@@ -107,6 +107,8 @@ CreepOrBorderInPlaceOfTraction() {
     solve --friction 0.6 --creep 0 --peclet 100 --method gauss-chebyshev
   refuses 2 "creep = 0.5 is not allowed: it must be below 2 f / pi" \
     solve --friction 0.6 --creep 0.5 --peclet 100 --method closed-form
+  refuses 2 "creep = -0.5 is not allowed: it must be above -2 f / pi" \
+    solve --friction 0.6 --creep -0.5 --peclet 100 --method first-order
   answers solve --friction 0.6 --creep 0.5 --peclet 100 --format json
   [ "$(value traction) $(value full_slip)" = "0.6 true" ] || fail "not in full slip: $(cat out)"
   refuses 2 "stick-slip-border = -1 is not allowed: it must be between -1 and 1" \

@@ -599,6 +599,10 @@ ResumesNothingElse() {
   cmp some.csv kept || fail "the file was changed"
   sed '3s/^/"/' some.csv >open.csv
   refuses 2 "it has a row that no sweep has written: row 2" sweep scenes.csv --resume open.csv
+  for text in garbage '0.6,0.5,100'; do
+    sed "3s/.*/$text/" some.csv >damaged.csv
+    refuses 2 "it has a row that no sweep has written: row 2" sweep scenes.csv --resume damaged.csv
+  done
   for text in '{"status": "x"}' '{"status": {}}' '["status"]' 7 words; do
     echo "$text" >some.json
     refuses 2 "it has a row that no sweep has written: row 1" sweep scenes.csv --format jsonl --resume some.json
@@ -1017,6 +1021,8 @@ ProgressOnATerminal() { # slow
   on_terminal "'$program' sweep <scenes.csv >results.csv"
   grep -q 'thermoroll: 200 rows, 50 with an error, [0-9]* rows/s, [0-9]* MB' terminal || fail "$(cat terminal)"
   [ "$(tr '\r' '\n' <terminal | grep -c 'rows/s')" -ge 2 ] || fail "nothing before the end: $(cat terminal)"
+  on_terminal "'$program' sweep scenes.csv --resume results.csv" # nothing is left to solve
+  grep -q 'thermoroll: 200 rows, 50 with an error, 0 rows/s' terminal || fail "$(cat terminal)"
   on_terminal "'$program' sweep <scenes.csv"
   [ "$(tr '\r' '\n' <terminal | grep -c 'rows/s')" -eq 1 ] || fail "more than the end: $(cat terminal)"
   sweeps 4

@@ -268,9 +268,11 @@ void examine_error(const Record& record, const Sample& x, const CoupledSolution&
     return record.beside("no finer solution", words_of(error.what()));
   }
   double excess = 0;
-  for (const Pair& of : pairs(x, solve_to(x, x.tolerance), exact))
+  for (const Pair& of : pairs(x, solve_to(x, x.tolerance), exact)) {
+    record.require("values and errors are numbers", !std::isnan(of.value) && !std::isnan(of.error));
     if (of.exact_error <= 0.1 * of.error)
       excess = std::max(excess, std::abs(of.value - of.exact) / of.error);
+  }
   record.within("no error is ten times its estimate", excess, 10);
   record.require(
       "a finer solution has a largest traction, too",
@@ -300,7 +302,7 @@ void examine_limit(const Record& record, const Sample& x, const CoupledSolution&
       continue;
     }
     record.within("no creep has more than the largest traction",
-                  std::max(0.0, there.value(traction) - limit.traction),
+                  std::max(there.value(traction) - limit.traction, 0.0),
                   limit.traction_error + there.error(traction));
   }
 }
@@ -461,7 +463,7 @@ void examine_profile(const Record& record, const CoupledSolution& found, const P
   record.within("the flux carries the heat", (z.slip.fine.ds * z.flux).sum() - v(heat_integral),
                 errors * e(heat_integral));
   record.within("no point is hotter than the hottest",
-                std::max(0.0, y.temperature.maxCoeff() - v(max_temperature)),
+                std::max(y.temperature.maxCoeff() - v(max_temperature), 0.0),
                 errors * e(max_temperature));
 }
 

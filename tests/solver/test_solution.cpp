@@ -1085,6 +1085,29 @@ TEST(Solution, ErrorOfATemperatureIncludesTheLastCorrection) {
   EXPECT_EQ(beyond, 1);
 }
 
+// One body, two unlike ones, and a bulk difference; contact without slip, and the published scheme.
+TEST(Solution, CurvesOfNothingAreEmptyAndOfNoNumberRefused) {
+  const thermoroll::Scene one{0.6, 100, 0.0175};
+  thermoroll::Scene unlike = one, warm = one;
+  unlike.roller = {2, 0.01, 30};
+  warm.roller = {1, 0.0175};
+  warm.bulk_difference = 0.01;
+  const auto refuses = [](const Solution& x) {
+    for (const double depth : {0.0, 0.1}) {
+      if (depth > 0 && x.approach.method == Method::gauss_chebyshev) continue;
+      EXPECT_TRUE(temperature_curve(x, {}, depth).points.empty());
+      EXPECT_THROW(temperature_curve(x, {0, std::nan("")}, depth), std::invalid_argument);
+      EXPECT_THROW(temperature_curve(x, {INFINITY}, depth), std::invalid_argument);
+    }
+  };
+  for (const auto& scene : {one, unlike, warm}) {
+    refuses(thermoroll::solve(scene, {Quantity::traction, 0.3}, {}));
+    refuses(thermoroll::solve(scene, {Quantity::creep, 0.1}, {}));
+  }
+  refuses(thermoroll::solve(one, {Quantity::traction, 0}, {}));
+  refuses(thermoroll::solve(one, {Quantity::traction, 0.3}, {.method = Method::gauss_chebyshev}));
+}
+
 // Where one correction would change all, its error has no bound, and there is no solution to
 // report.
 TEST(Solution, NoSolutionWithoutABoundOnItsError) {

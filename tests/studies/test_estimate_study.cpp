@@ -137,8 +137,8 @@ TEST(Study, EstimatesAreHonest) {
 }
 
 // Slip zones of a ten-thousandth and a millionth of the contact, with a law. Their heat is the
-// square of that, its derivative by a few samples of the curve is wrong, and with it the correction of a
-// border that is off by a billionth of the zone.
+// square of that, its derivative by a few samples of the curve is wrong, and with it the correction
+// of a border that is off by a billionth of the zone.
 TEST(Study, TinySlipZonesWithALawMeetTheirTolerance) {
   for (const int number : {2132, 2512}) {
     const auto row = thermoroll::study_row(number);

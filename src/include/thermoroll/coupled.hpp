@@ -177,7 +177,8 @@ void check(const Scene& scene, const Prescribed& given);
 
 /// Carter's closed form for the given quantity; std::invalid_argument if check() refuses it, or the
 /// whole contact slips at the given creep.
-Carter carter_given(double friction, const Prescribed& given);
+Carter carter_given(double friction, const Prescribed& given,
+                    Direction direction = Direction::driving);
 
 /// Solve the coupled problem for the given quantity, by the formulation and tolerance of the
 /// approach, whatever its method, until the estimated error of every quantity is below

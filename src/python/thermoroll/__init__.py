@@ -255,7 +255,8 @@ def _solution(rows: NDArray, in_si: bool) -> Solution:
         _notes=rows["notes"].copy()[()],
     )
 
-_block_time, _largest_block = 0.2, 8192
+_first_block, _block_time, _largest_block = 256, 0.2, 8192
+_other_version = "the library has other structures: it is of another version"
 
 
 def _next_block(size: int, seconds: float) -> int:
@@ -265,12 +266,12 @@ def _solve_all(scenes: NDArray, threads: int) -> NDArray:
     results = np.zeros(scenes.shape, _result)
     results["size"] = _result.itemsize
     rows, answers = scenes.reshape(-1), results.reshape(-1)
-    begin, size = 0, 256
+    begin, size = 0, _first_block
     while begin < rows.size:
         part, told = rows[begin : begin + size], answers[begin : begin + size]
         start = time.monotonic()
         if _solve(part.ctypes.data, told.ctypes.data, part.size, threads) == 2:
-            raise RuntimeError("the library has other structures: it is of another version")
+            raise RuntimeError(_other_version)
         begin, size = begin + size, _next_block(size, time.monotonic() - start)
     return results
 
@@ -385,6 +386,8 @@ def _curves_in_si(points: NDArray, unit: NDArray, bulk: float) -> dict[str, NDAr
     return curves
 
 def _raise(told: NDArray) -> None:
+    if told["status"] == 0:
+        raise RuntimeError(_other_version)
     raised = ValueError if told["status"] == 2 else RuntimeError
     raise raised(told["message"][()].decode())
 
