@@ -168,12 +168,12 @@ struct thermoroll_law;
 
 /// How good a law is and where it ends. Creeps are xi*, or in SI units fractions of the speed.
 struct thermoroll_law_info {
-  uint32_t size;                    ///< sizeof(struct thermoroll_law_info), set by the caller
-  int32_t status;                   ///< enum thermoroll_status
+  uint32_t size;   ///< sizeof(struct thermoroll_law_info), set by the caller
+  int32_t status;  ///< enum thermoroll_status
   /// Sizes of the creeps where it ends, infinite without an end. With a bulk difference both may
   /// be on one side of 0; then one of them is negative.
   double driving_end, braking_end;
-  char message[256];                ///< why there is no law, or why it ends; or empty
+  char message[256];  ///< why there is no law, or why it ends; or empty
 };
 
 /// A law at a creep; dimensionless, or of a scene in SI units with what follows "or". Beyond its

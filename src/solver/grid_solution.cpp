@@ -198,6 +198,13 @@ GridSolution judged(GridSolution found, const ContactGrid& grid) {
   return found;
 }
 
+/// By a grid of n unknowns.
+bool is_beyond_stick(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
+  if (given.quantity != creep) return false;
+  const GridSolution end = next_to_full_slip(scene, formulation, n);
+  return end.newton_steps > 0 && end.value(creep) < given.value;
+}
+
 /// At the border of x, which heat moves by this step.
 double effect_of_heat(const Scene& scene, const GridSolution& x, double step) {
   const double b = x.at.stick / 2, half = x.at.slip / 2, f = scene.friction;
@@ -242,16 +249,15 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
                          const Prescribed& given, GridSolution level, Results& slope, double weak) {
   ZoneLengths at = level.at;
   double taken = 0;
-  bool solved = false;  // at another border
   for (int k = 0, failed = 0; k < 30; ++k) {
+    const bool solved = taken != 0;  // at another border
     const GridSolution last = level;
     const ContactGrid grid = contact_grid(scene, formulation, at, n);
     level = solve_on(grid, last);
     if (level.newton_steps == 0) {
       const bool may_shorten = scene.law && given.quantity != stick_slip_border;
       if (++failed == 8 || !(solved || may_shorten)) break;
-      const ZoneLengths& from = last.at;
-      at = moved_by(at, solved ? (at.slip - from.slip) / 2 : at.slip / 2);
+      at = moved_by(at, solved ? (at.slip - last.at.slip) / 2 : at.slip / 2);
       level = last;
       continue;
     }
@@ -270,15 +276,11 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     }
     const bool is_derivative = solved && std::abs(taken) <= std::max(0.06 * room, near);
     if (is_derivative && std::abs(step) <= near) return judged(level, grid);
-    if (k == 1 && given.quantity == creep && -step > at.stick) {
-      const GridSolution end = next_to_full_slip(scene, formulation, n);
-      if (end.newton_steps > 0 && end.value(creep) < given.value) break;
-    }
+    if (k == 1 && -step > at.stick && is_beyond_stick(scene, formulation, n, given)) break;
     if (!solved) step /= std::max(0.25, 1 + 1.5 * step / at.slip);
     if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
     taken = std::clamp(step, -0.7 * at.stick, 0.7 * at.slip);
     at = moved_by(at, taken);
-    solved = true;
   }
   level.newton_steps = 0;
   return level;
