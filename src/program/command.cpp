@@ -442,6 +442,15 @@ std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<doub
   return notes_on(si, friction, creep, rise);
 }
 
+void refuse_order(const CurveEnd& first, const CurveEnd& last, double from, double to) {
+  const bool by_first = first.asked.has_value();
+  const CurveEnd &given = by_first ? first : last, &other = by_first ? last : first;
+  const double limit = (by_first ? to : from) / other.unit;
+  require(false, given.name, *given.asked,
+          (by_first ? "below --" : "above --") + other.name + ", " + shortest(limit) +
+              (other.asked ? "" : " if that is not given"));
+}
+
 void run_creep_curve(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   check(c.scene);
@@ -451,8 +460,7 @@ void run_creep_curve(const Options& o) {
                  last_end = end_of("to", o.to, o.to_ratio, o.from_ratio, c.units);
   const double from = first_end.asked ? *first_end.asked * first_end.unit : -far,
                to = last_end.asked ? *last_end.asked * last_end.unit : far;
-  require(from < to, first_end.name, from / first_end.unit,
-          "below --" + last_end.name + ", " + shortest(to / last_end.unit));
+  if (!(from < to)) refuse_order(first_end, last_end, from, to);
   const double tolerance = o.of_scene.tolerance.value_or(law_tolerance);
   const CreepLaw law = noted(c, [&] {
     return creep_law(c.scene, c.formulation, tolerance, {from, to});

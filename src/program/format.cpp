@@ -381,7 +381,8 @@ void add_heats(Table& table, const json& o, const std::optional<FoundInSi>& phys
   const bool sized = physical && physical->error;
   const double of_size = sized ? 2 * physical->error->half_width / physical->value.half_width : 0;
   const json& errors = o["error_estimate"];
-  for (const char* name : {"heat_1", "heat_2"}) {
+  for (const char* name : {"heat_1", "heat_2", "exchanged_heat"}) {
+    if (name == std::string("exchanged_heat") && o["bulk_difference"] == 0) continue;
     const double heat = unit * o[name].get<double>();
     const double own = errors.is_null() ? 0 : errors[name].get<double>();
     const int significant = physical || errors.is_null() ? 6 : 9;
@@ -417,8 +418,7 @@ std::string to_text(const Solution& x, const std::optional<FoundInSi>& physical)
     if (!o["heat_partition"].is_null()) plain("heat_partition", is_unlike(x.scene) ? "" : "omega");
   }
   if (x.scene.bulk_difference != 0) plain("bulk_difference", "");
-  for (const char* name :
-       {"exchanged_heat", "no_slip_traction", "no_slip_creep", "edge_log_coefficient"})
+  for (const char* name : {"no_slip_traction", "no_slip_creep", "edge_log_coefficient"})
     if (x.scene.bulk_difference != 0)
       add_row(table, {name, "", o[name], x.error ? double(o["error_estimate"][name]) : 0, 9, ""});
   if (x.scene.direction == Direction::braking) plain("direction", "");

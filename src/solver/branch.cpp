@@ -575,7 +575,8 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
   if (!limit && !(asked < top)) require(false, "traction", sign * asked, range() + why);
   if (branch == Branch::falling)
     require(asked > end, "traction", sign * asked,
-            range_text(sign * (end + margin), most) + " on the falling branch");
+            range_text(sign * (end + margin), most) +
+                " on the falling branch, as far as it is followed");
 }
 
 }  // namespace

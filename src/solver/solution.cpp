@@ -173,16 +173,17 @@ Curve scheme_curve(const Scene& scene, const PublishedSolution& x, const std::ve
   return curve;
 }
 
-/// To nine digits of itself or of the scale; else to a hundredth of the tolerance of the largest.
+/// To nine digits of itself or of the scale; else to the tolerance of the largest.
 Estimate temperature_below(const HeatFlux& flux, const Solution& x, double s, double depth,
                            double scale) {
-  const double enough = 1e7 * x.approach.tolerance;  // of nine digits
-  const double largest = scale_in(x.scene, x.value)(max_temperature);
-  try {
-    return temperature(flux, x.scene.peclet, s, depth, scale);
-  } catch (const std::runtime_error&) {
-    return temperature(flux, x.scene.peclet, s, depth, std::max(scale, enough * largest));
-  }
+  const double tolerance = x.approach.tolerance;
+  const double enough = 1e9 * tolerance * scale_in(x.scene, x.value)(max_temperature);
+  for (const double least : {scale, std::max(scale, enough)}) try {
+      return temperature(flux, x.scene.peclet, s, depth, least);
+    } catch (const std::runtime_error&) {
+    }
+  throw std::runtime_error("the temperature at s = " + shortest(s) + ", depth = " +
+                           shortest(depth) + " is not resolved to " + shortest(tolerance));
 }
 
 /// In temperatures on the surface, by the flux for a grid of n unknowns.
@@ -670,6 +671,20 @@ void throw_again_with(const std::string& more) {
   }
 }
 
+/// Of a solution for the half-width of si, which follows from a radius.
+void add_error_of_size(Solution& x, PhysicalScene si, const GivenScene& c) {
+  if (!x.error) return;
+  si.half_width *= 1 + 5e-10 + (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
+  const Prescribed given = dimensionless(si, c.given, c.unit);
+  const Solution larger = solve(scene_of(si, x.scene.friction), given, c.approach);
+  *x.error += (larger.value - x.value).abs();
+  auto* one = std::get_if<CoupledSolution>(&x.found);
+  const auto* other = std::get_if<CoupledSolution>(&larger.found);
+  if (one == nullptr || !one->limit || other == nullptr || !other->limit) return;
+  one->limit->traction_error += std::abs(other->limit->traction - one->limit->traction);
+  one->limit->creep_error += std::abs(other->limit->creep - one->limit->creep);
+}
+
 SolvedScene solve_scene(const GivenScene& c) try {
   if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
   PhysicalScene si = *c.physical;
@@ -678,7 +693,8 @@ SolvedScene solve_scene(const GivenScene& c) try {
     si.half_width = half_width_of_radius(si, *c.radius, friction, c.given, c.approach, c.unit);
   check(si);
   const Prescribed given = dimensionless(si, c.given, c.unit);
-  const Solution x = solve(scene_of(si, friction), given, c.approach);
+  Solution x = solve(scene_of(si, friction), given, c.approach);
+  if (c.radius) add_error_of_size(x, si, c);
   return {x, units_of(si, friction), in_si_units(x, si, c.radius.has_value(), c.unit)};
 } catch (const std::invalid_argument& refusal) {
   const std::string text = refusal.what();

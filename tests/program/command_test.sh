@@ -798,6 +798,10 @@ BulkDifference() {
   run creep-curve "${aluminium[@]}" --bulk-temperature-2 300 --points 3 --from-ratio -0.001 --to-ratio 0.001
   [ $status -eq 0 ] || fail "$status: $(cat err)"
   ! grep -q 'the curve ends' err || fail "an end that was asked for: $(cat err)"
+  answers solve "${aluminium[@]}" --bulk-temperature-2 120 --creep-ratio 0.001
+  for name in heat_1 heat_2 exchanged_heat; do
+    grep -qE "^$name .* W/m$" out || fail "no W/m of $name: $(cat out)"
+  done
   run solve "${aluminium[@]}" --bulk-temperature-2 420 --creep-ratio 0.001
   [ $status -eq 5 ] && grep -q 'separation at s = -0.999.* to -0.999' err || fail "$status: $(cat err)"
   answers solve "${aluminium[@]}" --bulk-temperature-2 20 --creep-ratio 0.001 --direction driving
@@ -1132,6 +1136,10 @@ TemperatureAtDepths() {
   answers temperature "${scene[@]}" --at 2,0,1 --depth 0.1,0,0.05
   cmp out expected || fail "$(diff out expected)"
   answers temperature "${scene[@]}" --at 0:1:2 --depth 0:0.5:3
+  # A micrometre below a wheel on ceramics, where an integral has an error of 1e-8 of the temperature.
+  answers temperature --friction 0.35 --load 1.2e7 --half-width 7.8e-3 --shear-modulus 8.1e10 --poisson 0.3 \
+    --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50 --roller conducting --expansion-2 1e-5 \
+    --conductivity-2 0.25 --diffusivity-2 1.5e-7 --speed 60 --creep-ratio 0.001 --at 1 --depth 1e-6
   [ "$(cut -d, -f1,2 out | paste -sd' ')" = "s,depth 0,0 1,0 0,0.25 1,0.25 0,0.5 1,0.5" ] || fail "$(cat out)"
   answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5 --depth 0,1
   [ "$(head -1 out)" = s,x_m,depth,depth_m,temperature,temperature_celsius,error_estimate ] || fail "$(head -1 out)"
@@ -2184,6 +2192,7 @@ BadCurves() {
   [ $status -eq 0 ] || fail "status $status: $(cat err)"
   refuses 2 "from-ratio = 0.02 is not allowed: it must be below --to-ratio, 0.01" creep-curve "${wheel[@]}" --from-ratio 0.02 --to-ratio 0.01
   refuses 2 "from-ratio = 0.9 is not allowed: it must be below --to-ratio, 0.0" creep-curve "${wheel[@]}" --from-ratio 0.9
+  refuses 2 "to-ratio = -0.5 is not allowed: it must be above --from-ratio, -0.0" creep-curve "${wheel[@]}" --to-ratio -0.5
   refuses 2 "--peclet is missing" creep-curve --friction 0.6
   refuses 2 "--friction is required" creep-curve --peclet 100
 }

@@ -801,6 +801,26 @@ TEST(Solution, ErrorsOfARadiusCoverTheHalfWidth) {
     }
 }
 
+// Of a wheel with a radius, all results and not only those in SI units: a creep by its ratio is
+// another one at each half-width, and the groups are.
+TEST(Solution, ErrorsOfARadiusAreInAllResults) {
+  for (const auto& [quantity, value, unit] :
+       {std::tuple{creep, 0.002, CreepUnit::ratio}, {traction, 0.2, CreepUnit::scaled}})
+    for (const double hotter : {1.0, 10.0})
+      for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6}) {
+        PhysicalScene c = wheel_on_rail();
+        c.expansion *= hotter;
+        const auto solved = [&](double to) {
+          return solve_scene({{0.3, 1, 0}, {quantity, value}, {.tolerance = to}, c, 0.46, unit});
+        };
+        const Solution x = solved(tolerance).solution, exact = solved(1e-9).solution;
+        const thermoroll::Results off = (x.value - exact.value).abs();
+        for (int i = 0; i < thermoroll::compared; ++i)
+          EXPECT_LE(off[i], (*x.error)[i] + (*exact.error)[i]) << i << " to " << tolerance;
+        EXPECT_EQ((*x.error)(quantity) > 0, unit == CreepUnit::ratio);
+      }
+}
+
 // The scaled creep is typed again here. Whatever is not a creep ratio stays as it is.
 TEST(Solution, CreepRatioIsTheCreepOfItsHalfWidth) {
   const PhysicalScene c = wheel_on_rail();
