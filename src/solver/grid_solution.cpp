@@ -277,7 +277,6 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     const bool is_derivative = solved && std::abs(taken) <= std::max(0.06 * room, near);
     if (is_derivative && std::abs(step) <= near) return judged(level, grid);
     if (k == 1 && -step > at.stick && is_beyond_stick(scene, formulation, n, given)) break;
-    if (!solved && scene.bulk_difference == 0) step /= std::max(0.25, 1 + 1.5 * step / at.slip);
     if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
     taken = std::clamp(step, -0.7 * at.stick, 0.7 * at.slip);
     at = moved_by(at, taken);

@@ -191,7 +191,6 @@ TEST(CreepLawBySpeed, EarliestEndIsCountedFromNoSlip) {
   }
   EXPECT_DOUBLE_EQ(earliest_end(law, true).creep, 0.1 - 0.05);
   EXPECT_DOUBLE_EQ(earliest_end(law, false).creep, 0.1 + 0.3);
-  EXPECT_FALSE(evaluate(law, 0.04, 1.0));
 }
 
 // Contact is lost at the creep 7.78 where Pe is 0.5, and before that where it is larger. Each law

@@ -1063,18 +1063,6 @@ TEST(HotFriction, SearchEndsWhereTheContactSlips) {
       }
 }
 
-// With the derivative of heat's part, the border of the steel wheel is found by two grids up to a
-// creep of a quarter of 2 f / pi; the second one starts from the first and takes fewer steps.
-TEST(HotFriction, FirstStepOfTheBorderHasTheHeat) {
-  const Scene steel{friction, 4360, 0.0175};
-  const FrictionLaw law = linear_friction({friction / std::sqrt(4360)});
-  for (const double creep : {0.02, 0.05, 0.1}) {
-    const CountedSearch x = counted_search(steel, law, creep);
-    EXPECT_GT(x.found.newton_steps, 0);
-    EXPECT_LE(x.grids, 2) << creep;
-  }
-}
-
 // On 40 unknowns all slips from a creep of 1.2298 on, on finer grids from 1.2548 on. In between the
 // contact was taken for one in full slip that slips backward.
 TEST(HotFriction, CreepBeforeFullSlipHasABorder) {
