@@ -67,7 +67,7 @@ struct thermoroll_scene {
   int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
   double given;       ///< its value: Q*, xi*, xi or Q in N/m, negative for braking, or c0
   double friction;    ///< f > 0
-  double peclet;      ///< Pe = V a / 2k, at least 1e-280
+  double peclet;      ///< Pe = V a / 2k, 1e-280 to 1e306
   double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
   int32_t roller;     ///< enum thermoroll_roller; insulated: all heat into the half-space
   int32_t direction;  ///< enum thermoroll_direction; driving. Of a border; others have a sign
@@ -141,7 +141,7 @@ struct thermoroll_result {
   int32_t model;     ///< enum thermoroll_model
   int32_t unknowns;  ///< of the last grid; 0 without one
   struct thermoroll_values value, error;
-  char message[256];  ///< why it failed, or why this model was enough; as long as it fits
+  char message[256];  ///< why it failed, or why this model was enough; cut if too long
   struct thermoroll_units unit;
   struct thermoroll_physical physical, physical_error;
   char notes[256];  ///< data beyond the model, such as a modulus in GPa, as many as fit; or empty

@@ -381,8 +381,9 @@ void add_heats(Table& table, const json& o, const std::optional<FoundInSi>& phys
   const bool sized = physical && physical->error;
   const double of_size = sized ? 2 * physical->error->half_width / physical->value.half_width : 0;
   const json& errors = o["error_estimate"];
-  for (const char* name : {"heat_1", "heat_2", "exchanged_heat"}) {
-    if (name == std::string("exchanged_heat") && o["bulk_difference"] == 0) continue;
+  std::vector<const char*> names{"heat_1", "heat_2"};
+  if (o["bulk_difference"] != 0) names.push_back("exchanged_heat");
+  for (const char* name : names) {
     const double heat = unit * o[name].get<double>();
     const double own = errors.is_null() ? 0 : errors[name].get<double>();
     const int significant = physical || errors.is_null() ? 6 : 9;

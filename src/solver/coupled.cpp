@@ -245,8 +245,7 @@ int unknowns_for_heat(const VectorXd& h, const VectorXd& cold, int digits) {
 /// By a grid of n unknowns, or of as many as tell it from the given creep; infinite if none does.
 double creep_of_full_slip(const Scene& scene, Formulation formulation, int n, double given) {
   const auto limit = [&](int unknowns) {
-    const GridSolution full = next_to_full_slip(scene, formulation, unknowns);
-    return full.newton_steps > 0 ? full.value(creep) : std::numeric_limits<double>::infinity();
+    return creep_next_to_full_slip(scene, formulation, unknowns);
   };
   const double coarse = limit(n);
   if (n >= 160 || std::abs(given - coarse) >= 0.1 * coarse) return coarse;

@@ -198,13 +198,6 @@ GridSolution judged(GridSolution found, const ContactGrid& grid) {
   return found;
 }
 
-/// By a grid of n unknowns.
-bool is_beyond_stick(const Scene& scene, Formulation formulation, int n, const Prescribed& given) {
-  if (given.quantity != creep) return false;
-  const GridSolution end = next_to_full_slip(scene, formulation, n);
-  return end.newton_steps > 0 && end.value(creep) < given.value;
-}
-
 /// At the border of x, which heat moves by this step.
 double effect_of_heat(const Scene& scene, const GridSolution& x, double step) {
   const double b = x.at.stick / 2, half = x.at.slip / 2, f = scene.friction;
@@ -276,7 +269,8 @@ GridSolution find_border(const Scene& scene, Formulation formulation, int n,
     }
     const bool is_derivative = solved && std::abs(taken) <= std::max(0.06 * room, near);
     if (is_derivative && std::abs(step) <= near) return judged(level, grid);
-    if (k == 1 && -step > at.stick && is_beyond_stick(scene, formulation, n, given)) break;
+    const bool leaves = k == 1 && given.quantity == creep && -step > at.stick;
+    if (leaves && given.value > creep_next_to_full_slip(scene, formulation, n)) break;
     if (std::abs(step) < near) step = std::copysign(near, step);  // for the derivative
     taken = std::clamp(step, -0.7 * at.stick, 0.7 * at.slip);
     at = moved_by(at, taken);
@@ -295,6 +289,11 @@ GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int 
       level = with(stick, level);
   const GridSolution again = misses_kink(level) ? with(1e-6, level) : level;
   return again.newton_steps > 0 ? again : level;
+}
+
+double creep_next_to_full_slip(const Scene& scene, Formulation formulation, int n) {
+  const GridSolution full = next_to_full_slip(scene, formulation, n);
+  return full.newton_steps > 0 ? full.value(creep) : std::numeric_limits<double>::infinity();
 }
 
 double creep_of_some_stick(const Scene& scene, Formulation formulation) {

@@ -56,6 +56,9 @@ ZoneLengths moved_by(const ZoneLengths& zones, double step);
 /// The solution of n unknowns with a nearly vanishing stick zone; no newton_steps if none is found.
 GridSolution next_to_full_slip(const Scene& scene, Formulation formulation, int n);
 
+/// Its creep, infinite if none is found.
+double creep_next_to_full_slip(const Scene& scene, Formulation formulation, int n);
+
 /// A creep with a stick zone and a contact, the largest but one of a few borders; 0 if none has.
 double creep_of_some_stick(const Scene& scene, Formulation formulation);
 

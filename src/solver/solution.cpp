@@ -549,6 +549,11 @@ Prescribed dimensionless(const PhysicalScene& si, const Prescribed& given, Creep
   return {creep, given.value * si.speed / units_of(si, 1).slip};
 }
 
+/// Relative, of a solution with errors.
+double error_of_kappa(const Solution& x) {
+  return (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
+}
+
 FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radius,
                       CreepUnit given) {
   const Units unit = units_of(si, x.scene.friction);
@@ -562,8 +567,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   if (!x.error) return y;
   y.error = converted(*x.error, *peak.error, unit, si);
   PhysicalResults& error = *y.error;
-  const double of_kappa = (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
-  const double of_size = from_radius ? 5e-10 + of_kappa : 0;
+  const double of_kappa = error_of_kappa(x), of_size = from_radius ? 5e-10 + of_kappa : 0;
   error.half_width = of_size * y.value.half_width;
   error.radius = (of_kappa + 2 * of_size) * y.value.radius;
   error.half_width_over_radius = (of_kappa + of_size) * y.value.half_width_over_radius;
@@ -674,7 +678,7 @@ void throw_again_with(const std::string& more) {
 /// Of a solution for the half-width of si, which follows from a radius.
 void add_error_of_size(Solution& x, PhysicalScene si, const GivenScene& c) {
   if (!x.error) return;
-  si.half_width *= 1 + 5e-10 + (*x.error)(load_ratio) / std::abs(x.value(load_ratio));
+  si.half_width *= 1 + 5e-10 + error_of_kappa(x);
   const Prescribed given = dimensionless(si, c.given, c.unit);
   const Solution larger = solve(scene_of(si, x.scene.friction), given, c.approach);
   *x.error += (larger.value - x.value).abs();

@@ -302,7 +302,7 @@ void examine_limit(const Record& record, const Sample& x, const CoupledSolution&
       continue;
     }
     record.within("no creep has more than the largest traction",
-                  std::max(there.value(traction) - limit.traction, 0.0),
+                  std::max(there.value(traction) - limit.traction, 0.0),  // or NaN
                   limit.traction_error + there.error(traction));
   }
 }
@@ -463,7 +463,7 @@ void examine_profile(const Record& record, const CoupledSolution& found, const P
   record.within("the flux carries the heat", (z.slip.fine.ds * z.flux).sum() - v(heat_integral),
                 errors * e(heat_integral));
   record.within("no point is hotter than the hottest",
-                std::max(y.temperature.maxCoeff() - v(max_temperature), 0.0),
+                std::max(y.temperature.maxCoeff() - v(max_temperature), 0.0),  // or NaN
                 errors * e(max_temperature));
 }
 

@@ -110,7 +110,7 @@ void examine_places(const Record& record, thermoroll_scene scene, const thermoro
   // A colder body above may leave it warmer below the surface.
   if (scene.bulk_difference != 0 || std::isfinite(scene.bulk_temperature_2)) return;
   record.within("below the hottest point it is no hotter",
-                std::max(points[1].temperature - points[0].temperature, 0.0),
+                std::max(points[1].temperature - points[0].temperature, 0.0),  // or NaN
                 10 * (points[0].temperature_error + points[1].temperature_error));
 }
 

@@ -24,7 +24,7 @@ enum class Direction { driving, braking };
 /// is prescribed or found.
 struct Scene {
   double friction;  ///< f > 0
-  double peclet;    ///< Pe = V a / 2k, at least 1e-280
+  double peclet;    ///< Pe = V a / 2k, 1e-280 to 1e306
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
   Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct
   Direction direction = Direction::driving;  ///< counts for a border; see solve() for the others
