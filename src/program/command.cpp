@@ -334,16 +334,27 @@ AllCreeps read_all_creeps(SceneOptions o) {
           c.physical};
 }
 
-std::string rounded_towards_zero(double x) {
-  char digits[16];
-  std::snprintf(digits, sizeof digits, "%.4g", x * (1 - 5e-4));
+/// A number with four digits, or more where it is near the limit, between x and the limit.
+std::string rounded_towards(double limit, double x) {
+  const double inside = x - 5e-4 * (x - limit);
+  const auto is_between = [&](const char* digits) {
+    const double given = std::atof(digits);
+    return std::min(limit, x) <= given && given <= std::max(limit, x);
+  };
+  char digits[32];
+  for (int n = 4; n <= 17; ++n) {
+    std::snprintf(digits, sizeof digits, "%.*g", n, inside);
+    if (is_between(digits)) break;
+  }
   return digits;
 }
 
-std::string note_on(const LawEnd& end, const std::optional<LawUnits>& units,
+/// The end of a curve that begins without slip at the creep rest.
+std::string note_on(const LawEnd& end, double rest, const std::optional<LawUnits>& units,
                     const std::string& when = "") {
+  const double unit = units ? units->creep : 1;
   return (units ? "the curve ends at the creep ratio " : "the curve ends at the creep ") +
-         rounded_towards_zero(end.creep * (units ? units->creep : 1)) + when + ": " + end.reason;
+         rounded_towards(rest * unit, end.creep * unit) + when + ": " + end.reason;
 }
 
 /// Of a curve that was to go from one creep to another.
@@ -353,7 +364,8 @@ std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double 
   for (const double creep : {from, to}) {
     const auto& [half, sign, size] = side_of(law, creep);
     if (size <= half.last_creep) continue;
-    notes.push_back(note_on({law.no_slip_creep + sign * half.last_creep, half.reason}, units));
+    notes.push_back(note_on({law.no_slip_creep + sign * half.last_creep, half.reason},
+                            law.no_slip_creep, units));
   }
   return notes;
 }
@@ -395,7 +407,8 @@ void run_law(const Options& o) {
   for (const bool brakes : {true, false}) {
     const LawEnd end = earliest_end(law, brakes);
     const char* when = o.to_speed ? " at the earliest" : "";
-    if (std::abs(end.creep) < far) print_notes({note_on(end, c.units, when)});
+    const double rest = law.laws.front().no_slip_creep;
+    if (std::abs(end.creep) < far) print_notes({note_on(end, rest, c.units, when)});
   }
   if (c.physical) print_notes(notes_on(*c.physical, c.scene.friction, 0, 0));
   say_small_scale(o.of_scene);
@@ -420,14 +433,26 @@ CurveEnd end_of(const std::string& name, const Maybe& creep, const Maybe& ratio,
 /// The end, or where the curve ends before if it is not given.
 double bound(const CurveEnd& end, double creep, const CreepLaw& law) {
   const auto& [half, sign, size] = side_of(law, creep);
-  const double last = law.no_slip_creep + sign * half.last_creep;
+  const double rest = law.no_slip_creep;
+  double last = rest + sign * half.last_creep;
+  while (side_of(law, last).size > half.last_creep) last = std::nextafter(last, rest);
   if (!end.asked) return size > half.last_creep ? last : creep;
   if (size > half.last_creep)
-    throw std::invalid_argument(
-        end.name + " = " + shortest(*end.asked) + " is not allowed: it must be " +
-        (sign > 0 ? "at most about " : "at least about ") + rounded_towards_zero(last / end.unit) +
-        ", where the curve ends: " + half.reason);
+    throw std::invalid_argument(end.name + " = " + shortest(*end.asked) +
+                                " is not allowed: it must be " +
+                                (sign > 0 ? "at most about " : "at least about ") +
+                                rounded_towards(rest / end.unit, last / end.unit) +
+                                ", where the curve ends: " + half.reason);
   return creep;
+}
+
+CurveRange range_of(const CurveEnd& first, double from, const CurveEnd& last, double to,
+                    const CreepLaw& law, int points) {
+  const CurveRange range{bound(first, from, law), bound(last, to, law), points};
+  if (range.from < range.to) return range;
+  throw std::invalid_argument("the curve has no creep between " + shortest(from) + " and " +
+                              shortest(to) + ", but " + shortest(law.no_slip_creep) +
+                              " without slip: give --from and --to");
 }
 
 std::vector<std::string> notes_along(const CreepLaw& law, const std::vector<double>& creeps,
@@ -465,9 +490,8 @@ void run_creep_curve(const Options& o) {
   const CreepLaw law = noted(c, [&] {
     return creep_law(c.scene, c.formulation, tolerance, {from, to});
   });
-  const CurveRange range = noted(c, [&] {
-    return CurveRange{bound(first_end, from, law), bound(last_end, to, law), o.points};
-  });
+  const CurveRange range =
+      noted(c, [&] { return range_of(first_end, from, last_end, to, law, o.points); });
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);

@@ -58,6 +58,13 @@ void move_to_zero(std::vector<double>& points) {
 
 std::string unsigned_zero(double x) { return shortest(x == 0 ? 0 : x); }
 
+LawValue finite_value(const CreepLaw& law, double creep) {
+  const std::optional<LawValue> x = evaluate(law, creep);
+  if (!x || !std::isfinite(x->traction + x->temperature + x->border))
+    throw NotResolved("law: no finite value at the creep " + shortest(creep), {});
+  return *x;
+}
+
 struct LawTable {
   const char* name;
   std::vector<double> numbers{};
@@ -491,7 +498,7 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
   text +=
       ",error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature\n";
   for (const double creep : creeps) {
-    const LawValue x = evaluate(law, creep).value_or(LawValue{});
+    const LawValue x = finite_value(law, creep);
     const LawSide side = side_of(law, creep);
     const bool full = x.border == -1;
     std::vector<double> more;

@@ -60,6 +60,14 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
 }
 
+void forget_the_leading_edge(GridSolution& x, const Scene& scene) {
+  const auto is_small = [&](const Violation& v) {
+    return v.to < 0.005 - 1 && (v.what == "backward slip" || scene.bulk_difference != 0);
+  };
+  auto& all = x.violations;
+  all.erase(std::remove_if(all.begin(), all.end(), is_small), all.end());
+}
+
 /// The solution at w of @eq:law-sampling on a grid of n unknowns, from one near by or from none.
 GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   const double without = curve.rest.creep;
@@ -73,9 +81,10 @@ GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   if (near.h.size() > n) near.h.conservativeResize(n);
   GridSolution x = from(near);
   if (x.newton_steps == 0) x = from({});
+  if (x.newton_steps == 0 && n > 40) x = from(solution_at(curve, n / 2, w, near));
   const GridSolution again = misses_kink(x) ? from(x) : x;
   if (again.newton_steps > 0) x = again;
-  forget_the_edge(x, 0.005);
+  forget_the_leading_edge(x, curve.scene);
   if (x.newton_steps > 0) x.value(Quantity::max_temperature) = hottest(curve, x);
   return x;
 }
@@ -85,7 +94,7 @@ struct LawGrid {
   int n, finer;
 };
 
-constexpr std::array<LawGrid, 4> law_grids{{{20, 33}, {28, 46}, {40, 66}, {64, 106}}};
+constexpr std::array<LawGrid, 5> law_grids{{{20, 33}, {28, 46}, {40, 66}, {64, 106}, {106, 176}}};
 
 bool agree(const Scene& scene, const GridSolution& x, const GridSolution& y, double tolerance) {
   if (x.newton_steps == 0 || y.newton_steps == 0) return false;
@@ -94,7 +103,7 @@ bool agree(const Scene& scene, const GridSolution& x, const GridSolution& y, dou
                    change(Quantity::max_temperature)}) < tolerance;
 }
 
-double leeway(int n, double w) { return n == 64 && w < 1.5 ? 10 : 1; }
+double leeway(int n, double w) { return n >= 64 && w < 1.5 ? 10 : 1; }
 
 /// A point with a contact: w, its solution and the grid that resolves it.
 struct LawPoint {
@@ -116,6 +125,7 @@ std::optional<bool> is_lost(HalfCurve& curve, double w, const GridSolution& x) {
 constexpr const char* not_resolved = "the solution is not resolved (a larger tolerance may go on)";
 constexpr const char* not_asked = "no more was asked for";
 constexpr const char* turns_back = "the creep turns back";
+const std::string contact_is_lost = "contact is lost: ";
 
 /// Go on to w on grids up to this one. The reason why the curve does not; empty if it does.
 std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
@@ -126,7 +136,7 @@ std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
     if (!agree(curve.scene, x, y, leeway(grid->n, w) * tolerance)) continue;
     const std::optional<bool> lost = is_lost(curve, w, y);
     if (!lost) continue;
-    if (*lost) return "contact is lost: " + y.violations.front().what;
+    if (*lost) return contact_is_lost + y.violations.front().what;
     if (x.value(Quantity::creep) <= last.at.value(Quantity::creep)) return turns_back;
     last = {w, x, grid};
     return "";
@@ -216,6 +226,7 @@ double law_node(double from, double to, double k) {
 struct Trial {
   LawPiece piece;
   LawErrors error, of_grid;
+  std::string lost{};
 };
 
 /// Whether it misses the tolerance, by its grid alone.
@@ -234,6 +245,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
                 GridSolution near) {
   const auto [n, finer] = grid;
   bool solved = true, kinked = false;
+  std::string lost;
   const auto at = [&](int unknowns, double k, GridSolution& last) {
     const double w = law_node(from, to, k);
     if (w > 0) {
@@ -241,6 +253,8 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
       if (there.newton_steps > 0) last = there;
       solved = solved && there.newton_steps > 0;
       kinked = kinked || !there.kinks.empty();
+      if (lost.empty() && is_lost(x.curve, w, there).value_or(false))
+        lost = contact_is_lost + there.violations.front().what;
     }
     return stored(x, to <= 1, w, last);
   };
@@ -260,31 +274,34 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     if (!is_too_coarse(trial, x.tolerance)) break;
   }
   if (!solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
+  trial.lost = lost;
   return trial;
 }
 
-/// Add the pieces from w = from to w = to, on this grid or finer ones; false where they end early.
+/// Add the pieces from w = from to w = to, on this grid or finer ones; the reason for an early end.
 /// Of a half of a piece, whole is the error of that.
-bool add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
-                const GridSolution& near, const LawErrors& whole = LawErrors::Constant(1)) {
+std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
+                       const GridSolution& near, const LawErrors& whole = LawErrors::Constant(1)) {
   const auto by_grid = [&](const Trial& at) {
     const LawErrors miss = (at.error > x.tolerance).select(at.error, 0);
     return is_too_coarse(at, x.tolerance) || (miss > 0.8 * whole).any();
   };
   Trial trial = try_piece(x, *grid, from, to, near);
-  while (by_grid(trial) && grid != &law_grids.back()) trial = try_piece(x, *++grid, from, to, near);
-  const bool coarse = is_too_coarse(trial, x.tolerance);
-  if ((trial.error <= (coarse ? leeway(grid->n, from) : 1) * x.tolerance).all()) {
+  while (trial.lost.empty() && by_grid(trial) && grid != &law_grids.back())
+    trial = try_piece(x, *++grid, from, to, near);
+  const bool coarse = trial.lost.empty() && is_too_coarse(trial, x.tolerance);
+  const double allowed = coarse ? leeway(grid->n, from) : 1;
+  if (trial.lost.empty() && (trial.error <= allowed * x.tolerance).all()) {
     x.half.pieces.push_back(trial.piece);
     x.error = x.error.max(trial.error);
-    return true;
+    return "";
   }
   const double least = coarse ? 0.03 : 3e-4;
-  if (to - from < least * (2 - from)) return false;
+  if (to - from < least * (2 - from)) return trial.lost.empty() ? not_resolved : trial.lost;
   const double middle = (from + to) / 2;
   const LawGrid* coarser = std::max(grid - 1, law_grids.data());
-  return add_pieces(x, coarser, from, middle, near, trial.error) &&
-         add_pieces(x, grid, middle, to, near, trial.error);
+  const std::string reason = add_pieces(x, coarser, from, middle, near, trial.error);
+  return reason.empty() ? add_pieces(x, grid, middle, to, near, trial.error) : reason;
 }
 
 /// The last point that has a contact up to w = 1, and the reason for an end before it.
@@ -302,28 +319,29 @@ std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double toleran
                                 LawPoint& last) {
   const double unit = x.half.unit_creep, farthest = reach > unit ? 2 - unit / reach : 1;
   std::string at_farthest = farthest < 2 ? not_asked : "";
+  const auto add = [&](double to, const LawPoint& since, const std::string& then) {
+    const std::string early = add_pieces(x, last.grid, since.w, to, since.at);
+    return early.empty() ? then : early;
+  };
   LawPoint far = last;
   if (farthest == 1) return at_farthest;
   if (go_on(x.curve, tolerance, farthest, far, *last.grid).empty())
-    return add_pieces(x, last.grid, 1, farthest, last.at) ? at_farthest : not_resolved;
+    return add(farthest, last, at_farthest);
   for (const double next : {1.5, 1.75, 1.9, 1.97, 1.99, 1.999, 2.0}) {
     const double w = std::min(next, farthest);
     const LawPoint before = last;
     const LawGrid& finest = w < 2 ? law_grids.back() : *last.grid;
     std::string reason = go_on(x.curve, tolerance, w, last, finest);
     if (!reason.empty() && w < 2) reason = find_end(x.curve, tolerance, w, reason, last);
-    if (last.w > before.w && !add_pieces(x, last.grid, before.w, last.w, before.at))
-      return not_resolved;
+    if (last.w > before.w) reason = add(last.w, before, reason);
     if (!reason.empty()) return reason;
     if (w == farthest) break;
   }
   return at_farthest;
 }
 
-void end_after_pieces(LawHalf& half, double tolerance, double reach) {
-  if (half.pieces.empty())
-    throw NotResolved("law: not resolved to " + shortest(tolerance) + " anywhere: " + half.reason,
-                      {});
+void end_after_pieces(LawHalf& half, double reach) {
+  if (half.pieces.empty()) throw NotResolved("law: it ends where it begins: " + half.reason, {});
   const double z = half.pieces.back().to;
   const double share = slips_partially(half.pieces.back()) ? std::min(z * z, 1.0) : 1 / (2 - z);
   half.last_creep = z < 2 ? half.unit_creep * share : std::numeric_limits<double>::infinity();
@@ -344,10 +362,10 @@ double creep_of_full_slip(const Scene& scene, Formulation formulation, double to
   return last.value(Quantity::creep) + slope(Quantity::creep) * last.at.stick;
 }
 
-/// Why partial slip ends where its pieces do.
-std::string end_of_partial_slip(LawHalf& half) {
+/// Why partial slip ends where its pieces do, for a reason.
+std::string end_of_partial_slip(LawHalf& half, const std::string& reason) {
   const double end = half.pieces.empty() ? 0 : half.pieces.back().to;
-  if (end <= 1) return not_resolved;
+  if (end <= 1) return reason;
   half.unit_creep *= end * end;
   for (LawPiece& piece : half.pieces) {
     piece.from /= end;
@@ -383,11 +401,12 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
     first = 0.02;
     x.tolerance(2) *= 300;
   }
-  if (last.w > 0 && !add_pieces(x, last.grid, first, last.w, {}))
-    x.half.reason = end_of_partial_slip(x.half);
+  const std::string early = last.w > 0 ? add_pieces(x, last.grid, first, last.w, {}) : "";
+  if (!early.empty())
+    x.half.reason = end_of_partial_slip(x.half, early);
   else if (last.w == 1)
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
-  end_after_pieces(x.half, tolerance, reach);
+  end_after_pieces(x.half, reach);
   if (first > 0 && last.w > 0) x.error(1) += change_before(x.curve, last.grid->finer, first);
   return x;
 }
@@ -454,7 +473,7 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
     return LawValue{law.no_slip_traction + sign * size * q.value, q.value + bend, rise,
                     1 - slip_length};
   }
-  return LawValue{sign * q.value, unit / (size * size) * per_z * q.slope, rise * size / unit, -1};
+  return LawValue{sign * q.value, unit / size / size * per_z * q.slope, rise * size / unit, -1};
 }
 
 double border_error_at(const CreepLaw& law, double creep) {

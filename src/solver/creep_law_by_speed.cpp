@@ -76,20 +76,12 @@ double speed_at(const SpeedsInTheMaking& x, double share) {
   return share == 1 ? x.to : x.from * std::pow(x.to / x.from, share);
 }
 
-std::string with_tolerance(const std::string& what, double tolerance) {
-  const std::string before = "law: not resolved to ";
-  const std::size_t after = what.find(" anywhere");
-  const bool told = what.find(before) == 0 && after != std::string::npos;
-  return told ? before + shortest(tolerance) + what.substr(after) : what;
-}
-
 CreepLaw make_law(const SpeedsInTheMaking& x, double share) {
   const double speed = speed_at(x, share), tolerance = std::max(x.tolerance / 3, 1e-7);
   try {
     return creep_law(x.scene_at(speed), x.formulation, tolerance);
   } catch (const NotResolved& error) {
-    const std::string what = with_tolerance(error.what(), x.tolerance);
-    throw NotResolved("at the speed " + shortest(speed) + ": " + what, {});
+    throw NotResolved("at the speed " + shortest(speed) + ": " + error.what(), {});
   }
 }
 

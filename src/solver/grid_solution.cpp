@@ -326,22 +326,30 @@ GridSolution solve_slipping_grid(SlippingGrids& grids, int n, double creep,
   return judged(solve_on(grid, from), grid);
 }
 
+/// The places of one or two kinks, the stronger first; at least one kink is known.
+std::vector<double> crowded_places(std::vector<Kink> kinks, int n) {
+  std::sort(kinks.begin(), kinks.end(), [](auto& a, auto& b) { return a.jump > b.jump; });
+  const Kink& strongest = kinks[0];
+  const auto counts = [&](const Kink& kink) {
+    return kink.jump >= 16 * strongest.jump / (n * n) &&
+           std::abs(kink.place - strongest.place) >= 1.2 / n;
+  };
+  const auto second = std::find_if(kinks.begin(), kinks.end(), counts);
+  if (n < 100 || second == kinks.end()) return {strongest.place};
+  return {strongest.place, second->place};
+}
+
 SlipVariable about_kinks(const GridSolution& from, int n) {
   SlipVariable by;
-  std::vector<Kink> kinks = from.kinks;
-  if (kinks.empty()) return by;
-  std::sort(kinks.begin(), kinks.end(), [](auto& a, auto& b) { return a.jump > b.jump; });
+  if (from.kinks.empty()) return by;
+  std::vector<double> places = crowded_places(from.kinks, n);
+  std::sort(places.begin(), places.end());
   auto& [first, second] = by.clusters;
   const double width = 0.6 / n;
-  first = cluster_at(kinks[0].place, width);
-  if (n < 100) return by;
-  for (const Kink& kink : kinks) {
-    if (kink.jump < 16 * kinks[0].jump / (n * n)) break;
-    if (std::abs(kink.place - first.place) < 2 * width) continue;
-    const double before = distance_before(first, 1 + kink.place) - 1;
-    second = cluster_at(before, width / growth_at(first, before));
-    break;
-  }
+  first = cluster_at(places.back(), width);
+  if (places.size() == 1) return by;
+  const double before = distance_before(first, 1 + places.front()) - 1;
+  second = cluster_at(before, width / growth_at(first, before));
   return by;
 }
 
@@ -352,9 +360,12 @@ SlipVariable variable_after(const GridSolution& from, int n) {
 
 bool misses_kink(const GridSolution& x) {
   if (x.newton_steps == 0 || x.kinks.empty()) return false;
-  const auto n = static_cast<int>(x.h.size());
-  const Cluster &nodes = x.at.variable.clusters[0], kink = about_kinks(x, n).clusters[0];
-  return nodes.rate == 0 || std::abs(nodes.place - kink.place) > 0.3 / n;
+  const auto& nodes = x.at.variable.clusters;
+  const auto kinks = about_kinks(x, static_cast<int>(x.h.size())).clusters;
+  const auto misses = [](const Cluster& a, const Cluster& b) {
+    return (a.rate == 0) != (b.rate == 0) || std::abs(a.place - b.place) > b.width / 2;
+  };
+  return misses(nodes[0], kinks[0]) || misses(nodes[1], kinks[1]);
 }
 
 int unknowns_after(int n) {

@@ -2190,6 +2190,17 @@ BadCurves() {
   end=$(sed -E 's/.*at most about ([-+0-9.e]*),.*/\1/' err)
   run creep-curve "${wheel[@]}" --to-ratio "$end" --points 2
   [ $status -eq 0 ] || fail "status $status: $(cat err)"
+  # with a bulk difference the usual creeps may be no creeps of the curve, and an end is told towards
+  # the creep without slip
+  curve="creep-curve --friction 0.5 --peclet 1e-4 --heating 1e6 --roller identical --bulk-difference 20"
+  refuses 2 "the curve has no creep between -0.95" $curve
+  refuses 2 "from = 10 is not allowed: it must be at least about 900.1" $curve --from 10 --to 1000
+  end=$(sed -E 's/.*at least about ([-+0-9.e]*),.*/\1/' err)
+  run $curve --from "$end" --to "$end"1 --points 2
+  [ $status -eq 0 ] || fail "status $status: $(cat err)"
+  # next to no slip the thermal distortion of this contact takes more than friction
+  refuses 1 "law: it ends where it begins: contact is lost: traction below -friction" creep-curve --friction 0.3 \
+    --peclet 100 --heating 1 --roller identical --bulk-difference 0.5 --from 0.3 --to 0.8
   refuses 2 "from-ratio = 0.02 is not allowed: it must be below --to-ratio, 0.01" creep-curve "${wheel[@]}" --from-ratio 0.02 --to-ratio 0.01
   refuses 2 "from-ratio = 0.9 is not allowed: it must be below --to-ratio, 0.0" creep-curve "${wheel[@]}" --from-ratio 0.9
   refuses 2 "to-ratio = -0.5 is not allowed: it must be above --from-ratio, -0.0" creep-curve "${wheel[@]}" --to-ratio -0.5

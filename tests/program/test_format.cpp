@@ -1,6 +1,7 @@
 // What is printed of a solution, against the solution itself.
 #include "driven.hpp"
 #include "program/format.hpp"
+#include "program/law_output.hpp"
 
 #include <cmath>
 #include <limits>
@@ -153,6 +154,18 @@ TEST(Output, NoResultThatIsNotFinite) {
     } catch (const NotConverged& refusal) {
       EXPECT_NE(std::string(refusal.what()).find("max_traction is"), std::string::npos);
     }
+}
+
+// A law of no creep has no value; one of a half with a piece of NaN has no finite one.
+TEST(Output, NoRowWithoutAFiniteValue) {
+  thermoroll::CreepLaw law{};
+  EXPECT_THROW(creep_curve_csv(law, {0.25}, {}), thermoroll::NotResolved);
+  thermoroll::LawPiece piece{0, 1, {1}, {1}, {1}};
+  law.driving.pieces = {piece};
+  law.driving.last_creep = 1;
+  EXPECT_NE(creep_curve_csv(law, {0.25}, {}).find("\n0.25,0.25,"), std::string::npos);
+  law.driving.pieces[0].traction[0] = std::nan("");
+  EXPECT_THROW(creep_curve_csv(law, {0.25}, {}), thermoroll::NotResolved);
 }
 
 TEST(Output, NoTemperatureThatIsNotFinite) {

@@ -303,13 +303,35 @@ TEST(CreepLaw, EndsWhereContactIsLost) {
   }
 }
 
+// With a large bulk difference the contact next to no slip would need more than friction, and far
+// from it is a contact: such a curve has no piece there. No piece has a node that is no contact.
+TEST(CreepLaw, NoPieceIsWithoutContact) {
+  const Scene hot_wheel{0.3, 100, 1, {1, 1}, Direction::driving, {}, 0.5};
+  try {
+    law_of(hot_wheel);
+    FAIL() << "a law of no contact";
+  } catch (const thermoroll::NotResolved& refusal) {
+    const std::string said = refusal.what();
+    EXPECT_EQ(said.find("law: it ends where it begins: contact is lost: "), 0) << said;
+  }
+  Scene braked = hot_wheel;
+  braked.direction = Direction::braking;
+  for (const double creep : {0.3, 0.8}) {  // 0.822 without slip
+    const CoupledSolution x = thermoroll::solve_coupled(braked, {Formulation::corrected, 1e-6},
+                                                        {Quantity::creep, -creep});
+    EXPECT_EQ(x.violations.empty(), creep == 0.3) << creep;
+  }
+}
+
 // The layers of strong heat at high speed need many more unknowns: it is said where the law ends.
 TEST(CreepLaw, EndsWhereItIsNotResolved) {
   const CreepLaw law = law_of({0.6, 1e5, 30}, 1e-6);
   EXPECT_EQ(law.driving.reason, "the solution is not resolved (a larger tolerance may go on)");
-  EXPECT_LT(law.driving.last_creep, 0.004);
+  const double end = law.driving.last_creep;
+  EXPECT_LT(end, 0.1) << "full slip begins beyond";
   EXPECT_LE(law.traction_error, 1e-6);
-  EXPECT_FALSE(evaluate(law, 0.004).has_value());
+  EXPECT_TRUE(evaluate(law, end).has_value());
+  EXPECT_FALSE(evaluate(law, 1.001 * end).has_value());
 }
 
 // The kinks of these laws move along the curve, and the first enters the contact in full slip, at
