@@ -92,25 +92,25 @@ std::string key_meant(const CLI::App& command, const std::string& name) {
 }
 
 bool is_replaced(const CLI::App& command, const std::string& name) {
-  const std::set<std::string> sizes{"half-width", "radius"};
-  const bool given = is_given_option(name);
-  if (!given && sizes.count(name) == 0) return false;
-  for (const CLI::Option* option : command.get_options())
-    if (const std::string other = option->get_name().substr(2);
-        other != name && option->count() > 0)
-      if (given ? is_given_option(other) : sizes.count(other) > 0) return true;
-  return false;
+  const std::vector<const CLI::Option*> all = command.get_options();
+  return std::any_of(all.begin(), all.end(), [&](const CLI::Option* option) {
+    return option->count() > 0 && exclude_each_other(name, option->get_name().substr(2));
+  });
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
 std::vector<std::string> values_of_key(const std::string& key, const std::string& text) {
   std::istringstream lines(text);
   std::vector<std::string> values;
   for (std::string line; std::getline(lines, line);) {
-    const std::string name = hyphenated(line.substr(0, line.find_first_of(" \t=")));
     const std::size_t equals = line.find('=');
-    if (name != key || equals == std::string::npos) continue;
-    const std::size_t begin = line.find_first_not_of(" \t", equals + 1);
-    values.push_back(begin == std::string::npos ? "" : line.substr(begin));
+    if (equals == std::string::npos || hyphenated(trimmed(line.substr(0, equals))) != key) continue;
+    values.push_back(trimmed(line.substr(equals + 1, line.find('#', equals) - equals - 1)));
   }
   return values;
 }
@@ -140,12 +140,11 @@ class SceneFile : public CLI::ConfigBase {
       const CLI::App* command =
           item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
       if (command == nullptr || !is_key(*command, item.name))
-        throw std::invalid_argument("the scene file sets what is no option for it: " +
+        throw std::invalid_argument("the scene file sets what is no option of " + here[0] + ": " +
                                     (item.parents == here ? item.name : item.fullname()) +
                                     (command == nullptr ? "" : key_meant(*command, item.name)));
       const std::vector<std::string> values = values_of_key(item.name, whole);
-      if (item.inputs.size() > 1 && values.size() == 1 && values[0].rfind('[', 0) != 0)
-        item.inputs = {joined(item.inputs, " ")};
+      if (item.inputs.size() > 1 && values.size() == 1) item.inputs = values;
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
         throw std::invalid_argument("the scene file gives " + item.name + " more than once");
       if (item.parents == here && !is_replaced(*command, item.name)) known.push_back(item);
@@ -556,11 +555,23 @@ int open_table(const std::string& file) {
   return STDIN_FILENO;
 }
 
+void check_input(const Options& o) {
+  using Named = std::pair<const char*, std::string>;
+  for (const auto& [option, file] : {Named{"--output", o.output}, Named{"--resume", o.resume},
+                                     Named{"--datapackage", o.package}}) {
+    std::error_code none;
+    if (!file.empty() && may_be_replaced(file) &&
+        std::filesystem::equivalent("/dev/stdin", file, none))
+      throw std::invalid_argument(option + (" and the table are the same file, " + file));
+  }
+}
+
 void check_files(const Options& o) {
   const bool is_file = !o.table.empty() && o.table != "-";
   if (!o.part.empty() && !is_file)
     throw std::invalid_argument("--part needs the table as a file: thermoroll sweep TABLE --part " +
                                 o.part);
+  if (!is_file) check_input(o);
   if (o.resume == "-") throw std::invalid_argument("resume = - is not allowed: it must be a file");
   if (!o.resume.empty() && !o.output.empty())
     throw std::invalid_argument("--output and --resume exclude each other");

@@ -175,7 +175,10 @@ Approach read_approach(const SceneOptions& o) {
 
 const SceneOption& given_option(const SceneOptions& o) {
   const auto is_given = [&](const SceneOption& option) { return (o.*option.value).has_value(); };
-  const bool si = o.load || o.creep_ratio || o.tangential_load;
+  const auto any = [&](const auto& options) {
+    return std::any_of(std::begin(options), std::end(options), is_given);
+  };
+  const bool si = o.creep_ratio || o.tangential_load || any(si_options) || any(size_options);
   if (std::count_if(std::begin(given_options), std::end(given_options), is_given) != 1)
     throw std::invalid_argument(
         si ? "exactly one of --traction, --creep, --stick-slip-border, --creep-ratio and "
@@ -359,7 +362,9 @@ std::string meant(const std::string& word, const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   const std::string own = word.substr(0, word.find('=')), name = nearest(own, names);
   if (!own.empty() && name == own) return " (options stand after the command and before any --)";
-  if (const std::string place = instead_of(own); !place.empty()) return " (" + place + ")";
+  const bool of_a_scene = std::find(names.begin(), names.end(), "--half-width") != names.end();
+  const std::string place = instead_of(own);
+  if (of_a_scene && !place.empty()) return " (" + place + ")";
   return name.empty() ? " (see --help)" : " (did you mean " + name + "?)";
 }
 
@@ -382,6 +387,11 @@ bool is_roller_option(const std::string& name) {
 }
 
 bool is_given_option(const std::string& name) { return is_in(given_options, name); }
+
+bool exclude_each_other(const std::string& a, const std::string& b) {
+  const auto both = [&](const auto& options) { return is_in(options, a) && is_in(options, b); };
+  return a != b && (both(given_options) || both(size_options));
+}
 
 std::vector<std::string> data_in_si_units() { return names_of(si_options); }
 

@@ -52,6 +52,9 @@ bool is_group_option(const std::string& name);
 bool is_roller_option(const std::string& name);
 bool is_given_option(const std::string& name);
 
+/// Whether a scene has one of both at most: what prescribes its state, or the size of its contact.
+bool exclude_each_other(const std::string& a, const std::string& b);
+
 /// The options that every scene in SI units has, and those that prescribe, without their hyphens.
 std::vector<std::string> data_in_si_units();
 std::vector<std::string> given_names();

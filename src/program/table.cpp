@@ -73,12 +73,14 @@ std::string hint_for(const std::string& name, const CLI::App& options) {
       return std::string(" (are its fields separated by ") + word + "? only commas separate them)";
   std::vector<std::string> names = all_results();
   for (const CLI::Option* option : options.get_options())
-    names.push_back(option->get_name().substr(2));
+    if (option->get_name() != "--help") names.push_back(option->get_name().substr(2));
   return meant(name, names);
 }
 
 ReadColumn column_of(const std::string& name, const TableOptions& how, const CLI::App& options) {
   if (has_name(how.keep, name)) return {name, "", true};
+  if (name.empty())
+    throw std::invalid_argument("the header has a column without a name (a comma at its end?)");
   const std::string option = hyphenated(name);
   if (option != "help" && options.get_option_no_throw("--" + option) != nullptr)
     return {name, option};
@@ -184,14 +186,12 @@ std::vector<Setting> cell_settings(const SweepTable& t, const std::vector<std::s
 }
 
 void add_constants(std::vector<Setting>& row, const std::vector<Setting>& constants) {
-  const bool prescribes = std::any_of(row.begin(), row.end(),
-                                      [](const Setting& x) { return is_given_option(x.option); });
-  const std::size_t own = row.size();
-  for (const Setting& x : constants) {
-    const bool has_it = std::any_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(own),
-                                    [&](const Setting& y) { return y.option == x.option; });
-    if (!has_it && !(prescribes && is_given_option(x.option))) row.push_back(x);
-  }
+  const std::vector<Setting> own = row;
+  for (const Setting& x : constants)
+    if (std::none_of(own.begin(), own.end(), [&](const Setting& y) {
+          return y.option == x.option || exclude_each_other(x.option, y.option);
+        }))
+      row.push_back(x);
 }
 
 void name_fields(SweepTable& t) {

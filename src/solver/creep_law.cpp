@@ -103,7 +103,7 @@ bool agree(const Scene& scene, const GridSolution& x, const GridSolution& y, dou
                    change(Quantity::max_temperature)}) < tolerance;
 }
 
-double leeway(int n, double w) { return n >= 64 && w < 1.5 ? 10 : 1; }
+double leeway(int n, double w, bool kinked) { return n >= 64 && (kinked || w < 1.5) ? 10 : 1; }
 
 /// A point with a contact: w, its solution and the grid that resolves it.
 struct LawPoint {
@@ -133,7 +133,7 @@ std::string go_on(HalfCurve& curve, double tolerance, double w, LawPoint& last,
   for (const LawGrid* grid = last.grid; grid <= &finest; ++grid) {
     const GridSolution x = solution_at(curve, grid->n, w, last.at);
     const GridSolution y = solution_at(curve, grid->finer, w, x);
-    if (!agree(curve.scene, x, y, leeway(grid->n, w) * tolerance)) continue;
+    if (!agree(curve.scene, x, y, leeway(grid->n, w, !x.kinks.empty()) * tolerance)) continue;
     const std::optional<bool> lost = is_lost(curve, w, y);
     if (!lost) continue;
     if (*lost) return contact_is_lost + y.violations.front().what;
@@ -223,10 +223,22 @@ double law_node(double from, double to, double k) {
   return from + (to - from) * (1 - std::cos(pi * k / (law_terms - 1))) / 2;
 }
 
+/// The w of both, 0 if there is no corner, and the solution before it.
+struct Corner {
+  double before = 0, after = 0;
+  GridSolution near{};
+};
+
+struct Findings {
+  bool solved = true, kinked = false;
+  Corner corner{};     // the first one
+  std::string lost{};  // why there is no contact at one of them; empty if there is
+};
+
 struct Trial {
   LawPiece piece;
   LawErrors error, of_grid;
-  std::string lost{};
+  Findings found{};
 };
 
 /// Whether it misses the tolerance, by its grid alone.
@@ -241,45 +253,67 @@ bool rises(const std::array<Stored, law_terms>& y) {
   return std::adjacent_find(y.begin(), y.end(), falls) == y.end();
 }
 
+/// The solution at w on a grid of n unknowns becomes the last one.
+Stored stored_at(HalfInTheMaking& x, bool sticks, int n, double w, GridSolution& last,
+                 Findings& found) {
+  if (w > 0) {
+    const GridSolution there = solution_at(x.curve, n, w, last);
+    if (there.newton_steps > 0) last = there;
+    found.solved = found.solved && there.newton_steps > 0;
+    found.kinked = found.kinked || !there.kinks.empty();
+    if (found.lost.empty() && is_lost(x.curve, w, there).value_or(false))
+      found.lost = contact_is_lost + there.violations.front().what;
+  }
+  return stored(x, sticks, w, last);
+}
+
 Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
                 GridSolution near) {
-  const auto [n, finer] = grid;
-  bool solved = true, kinked = false;
-  std::string lost;
-  const auto at = [&](int unknowns, double k, GridSolution& last) {
-    const double w = law_node(from, to, k);
-    if (w > 0) {
-      const GridSolution there = solution_at(x.curve, unknowns, w, last);
-      if (there.newton_steps > 0) last = there;
-      solved = solved && there.newton_steps > 0;
-      kinked = kinked || !there.kinks.empty();
-      if (lost.empty() && is_lost(x.curve, w, there).value_or(false))
-        lost = contact_is_lost + there.violations.front().what;
-    }
-    return stored(x, to <= 1, w, last);
+  Findings found;
+  const auto at = [&](int n, double k, GridSolution& last) {
+    return stored_at(x, to <= 1, n, law_node(from, to, k), last, found);
   };
   std::array<Stored, law_terms> y;
-  for (std::size_t k = 0; k < y.size(); ++k) y[k] = at(n, static_cast<double>(k), near);
-  const double times = kinked ? 6 : 3;
-  const int step = kinked || x.curve.scene.bulk_difference != 0 ? 1 : 3;
+  for (int k = 0; k < law_terms; ++k) {
+    const GridSolution last = near;
+    y[static_cast<std::size_t>(k)] = at(grid.n, k, near);
+    if (k > 0 && found.corner.after == 0 && near.kinks.size() != last.kinks.size())
+      found.corner = {law_node(from, to, k - 1), law_node(from, to, k), last};
+  }
+  const double times = found.kinked ? 6 : 3;
+  const int step = found.kinked || x.curve.scene.bulk_difference != 0 ? 1 : 3;
   Trial trial{fitted(y), times / 15 * x.tolerance, LawErrors::Zero()};
   GridSolution near_finer = near;
   for (int upper = 10; upper > 0; upper -= step) {
     const double k = upper - 0.5;
-    const Stored fine = at(finer, k, near_finer);
+    const Stored fine = at(grid.finer, k, near_finer);
     trial.error = trial.error.max(times * missed(trial.piece, to <= 1, fine));
     if ((trial.error <= x.tolerance).all()) continue;
-    const LawErrors moved = errors_of(at(n, k, near).value - fine.value, to <= 1, fine);
+    const LawErrors moved = errors_of(at(grid.n, k, near).value - fine.value, to <= 1, fine);
     trial.of_grid = trial.of_grid.max(times * moved);
     if (!is_too_coarse(trial, x.tolerance)) break;
   }
-  if (!solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
-  trial.lost = lost;
+  if (!found.solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
+  trial.found = found;
   return trial;
 }
 
+/// On a grid of n unknowns.
+double place_to_divide(HalfCurve& curve, const Trial& trial, int n, double from, double to) {
+  auto [before, after, near] = trial.found.corner;
+  const double middle = (from + to) / 2;
+  if (after == 0) return middle;
+  for (int k = 0; k < 12; ++k) {
+    const double w = (before + after) / 2;
+    const bool same = solution_at(curve, n, w, near).kinks.size() == near.kinks.size();
+    (same ? before : after) = w;
+  }
+  const bool inside = std::min(after - from, to - after) > 1e-3 * (to - from);
+  return inside ? after : middle;
+}
+
 /// Add the pieces from w = from to w = to, on this grid or finer ones; the reason for an early end.
-/// Of a half of a piece, whole is the error of that.
+/// Of a part of a piece, whole is the error of that.
 std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, double to,
                        const GridSolution& near, const LawErrors& whole = LawErrors::Constant(1)) {
   const auto by_grid = [&](const Trial& at) {
@@ -287,18 +321,19 @@ std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, dou
     return is_too_coarse(at, x.tolerance) || (miss > 0.8 * whole).any();
   };
   Trial trial = try_piece(x, *grid, from, to, near);
-  while (trial.lost.empty() && by_grid(trial) && grid != &law_grids.back())
+  const std::string& lost = trial.found.lost;
+  while (lost.empty() && by_grid(trial) && grid != &law_grids.back())
     trial = try_piece(x, *++grid, from, to, near);
-  const bool coarse = trial.lost.empty() && is_too_coarse(trial, x.tolerance);
-  const double allowed = coarse ? leeway(grid->n, from) : 1;
-  if (trial.lost.empty() && (trial.error <= allowed * x.tolerance).all()) {
+  const bool coarse = lost.empty() && is_too_coarse(trial, x.tolerance);
+  const double allowed = coarse ? leeway(grid->n, from, trial.found.kinked) : 1;
+  if (lost.empty() && (trial.error <= allowed * x.tolerance).all()) {
     x.half.pieces.push_back(trial.piece);
     x.error = x.error.max(trial.error);
     return "";
   }
   const double least = coarse ? 0.03 : 3e-4;
-  if (to - from < least * (2 - from)) return trial.lost.empty() ? not_resolved : trial.lost;
-  const double middle = (from + to) / 2;
+  if (to - from < least * (2 - from)) return lost.empty() ? not_resolved : lost;
+  const double middle = place_to_divide(x.curve, trial, std::min(grid->n, 40), from, to);
   const LawGrid* coarser = std::max(grid - 1, law_grids.data());
   const std::string reason = add_pieces(x, coarser, from, middle, near, trial.error);
   return reason.empty() ? add_pieces(x, grid, middle, to, near, trial.error) : reason;
@@ -375,13 +410,24 @@ std::string end_of_partial_slip(LawHalf& half, const std::string& reason) {
   return turns_back;
 }
 
+double first_contact(HalfCurve& curve) {
+  for (double w = 0.02; w < 0.5; w *= 2) {
+    const GridSolution x = solution_at(curve, 33, w, {});
+    if (x.newton_steps > 0 && !is_lost(curve, w, x).value_or(true)) return w;
+  }
+  return 0.02;
+}
+
 /// On a grid of n unknowns.
-double change_before(HalfCurve& curve, int n, double first) {
-  const auto hottest_at = [&](double w) {
-    const GridSolution x = solution_at(curve, n, w, {});
-    return x.newton_steps > 0 ? x.value(Quantity::max_temperature) : 0;
-  };
-  return std::abs(hottest_at(first) - hottest_at(first / 10));
+LawErrors change_before(HalfInTheMaking& x, int n, double first) {
+  const GridSolution at = solution_at(x.curve, n, first, {}),
+                     before = solution_at(x.curve, n, first / 10, at);
+  if (at.newton_steps == 0) return LawErrors::Constant(1);
+  Stored there = stored(x, true, first, at);
+  const LawErrors all = errors_of(there.value, true, there);
+  if (before.newton_steps == 0) return all;
+  there.value -= stored(x, true, first / 10, before).value;
+  return errors_of(there.value, true, there);
 }
 
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
@@ -398,7 +444,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   x.tolerance(1) *= scale_in(scene, last.at.value)(Quantity::max_temperature);
   double first = 0;
   if (scene.bulk_difference != 0) {
-    first = 0.02;
+    first = first_contact(x.curve);
     x.tolerance(2) *= 300;
   }
   const std::string early = last.w > 0 ? add_pieces(x, last.grid, first, last.w, {}) : "";
@@ -407,7 +453,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   else if (last.w == 1)
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
   end_after_pieces(x.half, reach);
-  if (first > 0 && last.w > 0) x.error(1) += change_before(x.curve, last.grid->finer, first);
+  if (first > 0 && last.w > 0) x.error += change_before(x, last.grid->finer, first);
   return x;
 }
 

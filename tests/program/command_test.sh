@@ -1247,23 +1247,24 @@ BadSceneFiles() {
     refuses 2 "$1" solve --config bad.toml --output written
     [ ! -e written ] || fail "a file was written"
   }
-  bad "no option for it: pecle" 'pecle = 100'
-  bad "no option for it: peclet 100" 'peclet 100'
-  bad "no option for it: at" $'peclet = 100\nat = 0.5'
-  bad "no option for it: output" $'peclet = 100\noutput = "other"'
-  bad "no option for it: profile" $'[solve]\npeclet = 100\nprofile = "other"'
-  bad "no option for it: nowhere.peclet" $'[nowhere]\npeclet = 100'
-  bad "no option for it: temperature.pecle" $'peclet = 100\n[temperature]\npecle = 100'
-  bad "no option for it: help" $'peclet = 100\nhelp = true'
+  bad "no option of solve: pecle" 'pecle = 100'
+  bad "no option of solve: peclet 100" 'peclet 100'
+  bad "no option of solve: at" $'peclet = 100\nat = 0.5'
+  bad "no option of solve: output" $'peclet = 100\noutput = "other"'
+  bad "no option of solve: profile" $'[solve]\npeclet = 100\nprofile = "other"'
+  bad "no option of solve: nowhere.peclet" $'[nowhere]\npeclet = 100'
+  bad "no option of solve: temperature.pecle" $'peclet = 100\n[temperature]\npecle = 100'
+  bad "no option of solve: help" $'peclet = 100\nhelp = true'
   echo 'radius = 0.46' >radius.toml
-  refuses 2 "no option for it: radius (a curve keeps the half-width: that of solve --radius)" creep-curve --config radius.toml
+  refuses 2 "no option of creep-curve: radius (a curve keeps the half-width: that of solve --radius)" creep-curve --config radius.toml
   bad "peclet = abc is not allowed: it must be a finite number" 'peclet = abc'
   bad "peclet = nan is not allowed: it must be a finite number" 'peclet = nan'
   bad "peclet =  is not allowed" 'peclet = '
   bad "peclet = -1 is not allowed" 'peclet = -1'
   bad "gives friction more than once" $'peclet = 100\nfriction = 0.6'
   bad "gives peclet more than once" $'peclet = 100\npeclet = 100'
-  bad "gives peclet more than once" 'peclet = [100, 200]'
+  bad "peclet = [100, 200] is not allowed: it must be a finite number" 'peclet = [100, 200]'
+  bad "peclet = 100 m is not allowed: it must be a finite number" '  peclet = 100 m # metres'
   bad "half-width = 7.8e-3 m is not allowed: it must be a finite number in m" 'half_width = 7.8e-3 m'
   bad "peclet = 1 000 is not allowed: it must be a finite number" 'peclet = 1 000'
   bad "load = 1 N/m is not allowed: it must be a finite number in N/m" $'# load [N/m]\nload = 1 N/m'
@@ -2307,7 +2308,7 @@ Completion() {
 # In a scene file as on the command line.
 NearestKey() {
   printf '%s\n' 'friction = 0.6' 'laod = 1' >scene.toml
-  refuses 2 "the scene file sets what is no option for it: laod (did you mean load?)" solve --config scene.toml --traction 0.5
+  refuses 2 "the scene file sets what is no option of solve: laod (did you mean load?)" solve --config scene.toml --traction 0.5
 }
 
 # A file that is read is not written to, however it is named; a device may be both.
@@ -2319,6 +2320,16 @@ NoInputIsReplaced() {
   refuses 2 "--profile and --config are the same file" solve --config wheel.toml --profile wheel.toml
   refuses 2 "--output and --config are the same file" temperature --config wheel.toml --at 0 --output wheel.toml
   cmp wheel.toml kept.toml || fail "the scene file was changed"
+  printf 'friction,traction,peclet\n0.6,0.5,100\n' >table.csv
+  cp table.csv kept.csv
+  refuses 2 "--output and the table are the same file, table.csv" sweep table.csv --output table.csv
+  local option
+  for option in --output --resume; do
+    run sweep $option table.csv <table.csv
+    [ $status -eq 2 ] || fail "status $status"
+    one_line "$option and the table are the same file, table.csv"
+  done
+  cmp table.csv kept.csv || fail "the table was changed"
   run solve --config wheel.toml --output /dev/null --profile /dev/null
   [ $status -eq 0 ] || fail "$(cat err)"
 }

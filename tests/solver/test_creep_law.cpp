@@ -128,6 +128,41 @@ TEST(CreepLaw, BulkDifferenceHasItsLaw) {
   }
 }
 
+// A wheel 200 K hotter than a wet rail, f = 0.1: next to no slip the crossing heat needs 1.8 times
+// the friction at the trailing edge, and no contact with one slip zone exists. A law begins beyond,
+// and the values between have its error.
+TEST(CreepLaw, BeginsWhereTheContactDoes) {
+  thermoroll::PhysicalScene si{1045140.556, 20,     0.0023, 8.1e10, 0.3,
+                               1.1e-5,      1.4e-5, 50,     1.1e-5, 50};
+  si.bulk_temperature = 20;
+  si.bulk_temperature_2 = 220;
+  Scene scene = scene_of(si, 0.1);
+  ASSERT_GT(scene.heating * scene.peclet * scene.bulk_difference / 2, 1.8);
+  const CreepLaw law = law_of(scene);
+  int lost = 0;
+  for (const double sign : {1, -1}) {
+    const LawHalf& half = sign > 0 ? law.driving : law.braking;
+    EXPECT_GT(half.last_creep, 50 * half.unit_creep);
+    scene.direction = sign > 0 ? Direction::driving : Direction::braking;
+    for (const double share : {0.0005, 0.01, 0.1, 0.5, 0.95, 2.0}) {
+      const double creep = law.no_slip_creep + sign * share * half.unit_creep;
+      const CoupledSolution x = thermoroll::solve_coupled(scene, {Formulation::corrected, 1e-5},
+                                                          {Quantity::creep, sign * creep});
+      lost += x.violations.empty() ? 0 : 1;
+      const LawValue y = evaluate(law, creep).value();
+      EXPECT_NEAR(sign * y.traction, x.value(Quantity::traction),
+                  law.traction_error + x.error(Quantity::traction))
+          << creep;
+      EXPECT_NEAR(y.border, x.value(Quantity::stick_slip_border), law.border_error) << creep;
+      EXPECT_NEAR(y.temperature, x.value(Quantity::max_temperature),
+                  law.temperature_error * std::max(1.0, share) + x.error(Quantity::max_temperature))
+          << creep;
+    }
+  }
+  EXPECT_GT(lost, 0);
+  EXPECT_LT(lost, 6);
+}
+
 // Before the first piece of such a law the temperature is constant, and its change is an error.
 TEST(CreepLaw, NextToNoSlipTheTemperatureHasItsError) {
   Scene scene{0.4, 300, 0.02, {1.5, 0.01}};
@@ -332,6 +367,26 @@ TEST(CreepLaw, EndsWhereItIsNotResolved) {
   EXPECT_LE(law.traction_error, 1e-6);
   EXPECT_TRUE(evaluate(law, end).has_value());
   EXPECT_FALSE(evaluate(law, 1.001 * end).has_value());
+}
+
+// In full slip the hottest point reaches the temperature of the floor, and the curve has a corner,
+// at which a piece ends: the largest temperature there is that of the floor. The place is found to
+// 1/4096 of the distance of two nodes, which is 0.16 of a piece at most, and the piece 0.5 in z.
+// The temperature grows as 1 / (2 - z), and 2 - z is above 0.05. Without the division there this
+// law ends as not resolved.
+TEST(CreepLaw, PiecesEndAtCorners) {
+  Scene scene{0.572, 9755.5, 0.01284};
+  scene.law = linear_friction({6.11e-3, 0.11});
+  const double floor = 6.11e-3 * (1 - 0.11);
+  const CreepLaw law = creep_law(scene, Formulation::corrected, 1e-4, {0, 10});
+  EXPECT_EQ(law.driving.reason, "no more was asked for");
+  double nearest = 1;
+  for (const auto& piece : law.driving.pieces) {
+    const double creep = law.driving.unit_creep / (2 - piece.to);
+    if (piece.from < 1 || creep > law.driving.last_creep) continue;
+    nearest = std::min(nearest, std::abs(evaluate(law, creep).value().temperature / floor - 1));
+  }
+  EXPECT_LT(nearest, 0.16 * 0.5 / 4096 / 0.05 + law.temperature_error / floor);
 }
 
 // The kinks of these laws move along the curve, and the first enters the contact in full slip, at

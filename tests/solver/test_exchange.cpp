@@ -663,6 +663,29 @@ TEST(Exchange, TwoDigitsHaveTheirErrors) {
   }
 }
 
+// Where nothing slips, q / (f p) of identical bodies comes to H Pe Theta / 2 at the trailing edge
+// at high speed, @eq:slip-by-heat: as the root of the distance, which two nodes remove, and of 1 /
+// Pe, which two speeds remove. The first of these is 0.12 at Pe = 10, and its square is left.
+TEST(Exchange, HeatAsksForFrictionAtTheTrailingEdge) {
+  const auto at_the_edge = [](double peclet) {
+    Scene scene{0.3, peclet, 1 / peclet, {1, 1 / peclet}};
+    scene.bulk_difference = 1;  // H Pe Theta / 2 = 1/2
+    const thermoroll::Profile at = profile(solve_coupled(scene, {Formulation::corrected, 1e-5},
+                                                         {Quantity::stick_slip_border, 1 - 1e-6}));
+    const ArrayXd ratio = at.traction / at.pressure / scene.friction, root = (1 - at.s).sqrt();
+    const auto node_at = [&](double distance) {
+      Index i = 0;
+      (1 - at.s - distance / peclet).abs().minCoeff(&i);
+      return i;
+    };
+    const Index i = node_at(0.02), j = node_at(0.08);
+    return (ratio(i) * root(j) - ratio(j) * root(i)) / (root(j) - root(i));
+  };
+  const double slow = at_the_edge(10), fast = at_the_edge(40);
+  EXPECT_NEAR(slow, 0.5, 0.13);
+  EXPECT_NEAR(2 * fast - slow, 0.5, 0.12 * 0.12);
+}
+
 // The strain at high speed is that of the leading edge's flux, cut off at the trailing edge; the
 // next terms are of the order of 1 / sqrt(Pe), with factors of order one.
 TEST(Exchange, NoSlipAtHighSpeed) {
@@ -687,7 +710,7 @@ TEST(Exchange, WithoutSlipBothBranchesMeet) {
     for (const Direction direction : {Direction::driving, Direction::braking}) {
       Scene scene = x.bodies.scene_with_bulk();
       scene.direction = direction;
-      const Prescribed given{Quantity::stick_slip_border, 1 - 1e-6};
+      const Prescribed given{Quantity::stick_slip_border, 1 - 1e-5};
       const CoupledSolution next = solve_coupled(scene, {Formulation::corrected, 1e-6}, given);
       const double sign = sign_of(direction);
       EXPECT_NEAR(sign * next.value(Quantity::traction), rest.traction, 4e-6);
