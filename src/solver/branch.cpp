@@ -587,7 +587,8 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   CurveSamples x = sample_curve({scene, formulation, 12}, asked, branch);
   while (!x.whole && x.curve.n < 48)
     x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
-  if (x.points.size() < 2) throw std::runtime_error("coupled: no traction-creep curve found");
+  if (x.points.size() < 2)
+    throw std::runtime_error("coupled: no traction-creep curve found" + without_friction(scene));
   std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;

@@ -303,7 +303,8 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
         "coupled: the border is within 1e-13 of an end of the contact, too near to resolve");
   if (level.newton_steps == 0)
     throw std::runtime_error("coupled: no solution found near the border " +
-                             shortest(tried.at.c0()) + known_limit(scene, formulation, given));
+                             shortest(tried.at.c0()) + without_friction(scene) +
+                             known_limit(scene, formulation, given));
   if (scene.bulk_difference != 0 && given.quantity != stick_slip_border) {
     const auto n = static_cast<int>(level.h.size());
     const double step = 1e-3 * std::min(level.at.slip, level.at.stick);

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "solver/contact_grid.hpp"
 #include "solver/graded_rule.hpp"
 #include "solver/linear_system.hpp"
 #include "solver/product.hpp"
+#include "support/number_text.hpp"
 #include "support/simd.hpp"
 
 namespace thermoroll {
@@ -460,6 +462,12 @@ NoSlip no_slip(const Scene& scene, double tolerance) {
     if (std::max(now.traction_error, now.creep_error) <= tolerance * std::abs(now.creep)) break;
   }
   return now;
+}
+
+std::string without_friction(const Scene& scene) {
+  const double met = scene.bulk_difference * (1 - effusivity_share(scene));
+  if (!scene.law || scene.law(met).value > 0) return "";
+  return "; friction is zero at T* = " + shortest(met) + ", at which the bodies meet";
 }
 
 NoSlip no_slip_near(const Scene& scene, const Prescribed& given) {

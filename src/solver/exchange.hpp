@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -35,6 +36,9 @@ Exchange exchange(const Scene& scene, Formulation formulation, const Nodes& z,
 /// no_slip() to a hundredth, or to all digits where a traction or creep, with its sign, is near;
 /// nothing for a given border.
 NoSlip no_slip_near(const Scene& scene, const Prescribed& given);
+
+/// That friction is zero at T_c of @eq:edge-temperature, for a message; empty if it is not.
+std::string without_friction(const Scene& scene);
 
 /// The prescribed value less that without slip in the scene's direction; a traction of f stays f.
 Prescribed beyond_no_slip(const Scene& scene, Prescribed given);

@@ -85,8 +85,10 @@ bool is_lost_beyond(SlippingGrids& grids, const Followed& found) {
 
 bool drives(const SlippingGrids& grids) { return grids.scene.direction == Direction::driving; }
 
+/// The size is negative on the other side of no creep, where a bulk difference moves no slip.
 std::string signed_text(const SlippingGrids& grids, const std::string& size) {
-  return (drives(grids) ? "" : "-") + size;
+  if (drives(grids)) return size;
+  return size[0] == '-' ? size.substr(1) : "-" + size;
 }
 
 std::string at_least(const SlippingGrids& grids, double size) {

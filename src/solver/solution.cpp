@@ -420,11 +420,12 @@ PhysicalResults converted(const Results& x, const Peaks& peak, const Units& unit
 }
 
 void set_sizes(PhysicalResults& y, const PhysicalScene& si, double load_ratio) {
-  const double hertz = hertz_half_width(load_ratio * si.load, 1, si.shear_modulus, si.poisson);
+  const double size = std::abs(load_ratio) * si.load;
+  const double hertz = hertz_half_width(size, 1, si.shear_modulus, si.poisson);
   y.half_width = si.half_width;
-  y.radius = si.half_width * si.half_width / (hertz * hertz);
+  y.radius = std::copysign(si.half_width * si.half_width / (hertz * hertz), load_ratio);
   y.hertz_pressure = 2 / pi * (si.load / si.half_width);
-  y.half_width_over_radius = hertz * hertz / si.half_width;
+  y.half_width_over_radius = std::copysign(hertz * hertz / si.half_width, load_ratio);
 }
 
 bool is_of_a_wheel(const PhysicalResults& x, double least) {
@@ -603,19 +604,40 @@ void require_contact(const Solution& x) {
                   " at s = " + shortest(first.from) + " to " + shortest(first.to));
 }
 
+/// kappa of a scene and its error; 0 if there is no solution, for a reason.
+struct FoundKappa {
+  double value = 0, error = 0;
+  std::exception_ptr reason{};
+};
+
+FoundKappa find_kappa(const PhysicalScene& si, double friction, const Prescribed& given,
+                      const Approach& approach, CreepUnit unit) try {
+  const Solution x = solve(scene_of(si, friction), dimensionless(si, given, unit), approach);
+  return {std::max(x.value(load_ratio), 0.0), x.error ? (*x.error)(load_ratio) : 0, {}};
+} catch (const std::exception&) {
+  return {0, 0, std::current_exception()};
+}
+
 double half_width_of_radius(PhysicalScene si, double radius, double friction,
                             const Prescribed& given, const Approach& approach, CreepUnit unit) {
   require(radius > 0, "radius", radius, "positive");
   check_but_half_width(si);
-  double kappa = 1;
-  for (int step = 0; step < 50 && kappa > 0; ++step) {
-    const double before = kappa;
+  double least = 0, most = 0, kappa = 1, before = 0, missed_before = 0;
+  for (int step = 0; step < 50; ++step) {
     si.half_width = hertz_half_width(kappa * si.load, radius, si.shear_modulus, si.poisson);
-    const Prescribed now = dimensionless(si, given, unit);
-    const Solution x = solve(scene_of(si, friction), now, approach);
-    kappa = x.value(load_ratio);
-    const double error = x.error ? (*x.error)(load_ratio) : 0;
-    if (std::abs(kappa - before) <= 1e-9 * before + error) return si.half_width;
+    const FoundKappa found = find_kappa(si, friction, given, approach, unit);
+    if (found.reason && least == 0 && step == 7) std::rethrow_exception(found.reason);
+    const double missed = found.value - kappa;
+    if (!found.reason && std::abs(missed) <= 1e-9 * kappa + found.error) return si.half_width;
+    (missed > 0 ? least : most) = kappa;
+    const double secant = kappa - missed * (kappa - before) / (missed - missed_before);
+    const double next = step == 0 ? found.value : secant;
+    before = kappa;
+    missed_before = missed;
+    if (least < next && (most == 0 || next < most))
+      kappa = next;
+    else
+      kappa = most == 0 ? 2 * kappa : (least + most) / 2;
   }
   throw NotConverged("no half-width found for radius = " + shortest(radius) + " m");
 }

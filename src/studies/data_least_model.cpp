@@ -156,7 +156,7 @@ void values_on_least_model(nlohmann::ordered_json& v) {
   const Scene scene{paper::friction, paper::peclet, paper::heating};
   const Prescribed given{Quantity::traction, 0.5};
   const auto model = [&](double tolerance) {
-    const char* const names[] = {"closed form", "first order in the heat", "coupled"};
+    const char* const names[] = {"closed form", "one linear correction", "coupled"};
     const Choice x = least_model(scene, {Formulation::corrected, tolerance}, given);
     return names[static_cast<int>(x.model)];
   };

@@ -65,6 +65,8 @@ TEST(IterationFigure, GreyCellsAreCounted) {
   EXPECT_EQ(missed("64"), grey);
   EXPECT_LT(missed("128"), missed("64"));
   EXPECT_LT(missed("256"), missed("128"));
+  EXPECT_GE(missed("256"), 0) << "no such value";
+  EXPECT_GE(missed("128"), 0) << "no such value";
 }
 
 // The hatching begins where the text says, at every speed.
@@ -234,6 +236,8 @@ TEST(SpeedFigures, CoupledConvergesFasterThanThePanels) {
     EXPECT_GT(at(coupled, 80), at(coupled, 40) + 2) << regime;
     EXPECT_GE(at(coupled, 112), 10.9) << regime;
     EXPECT_GT(at(panels, 100), at(panels, 25) + 5 * std::log10(4.0)) << regime << ": fifth order";
+    for (std::size_t i = 0; i < panels.x.size() && panels.x[i] <= 100; ++i)
+      EXPECT_GT(at(coupled, panels.x[i]), panels.y[i]) << regime;
     for (const char* weak : {"thrifty", "moments"})
       for (const double digits_then : digits(weak).y)
         EXPECT_LT(digits_then, at(coupled, 20)) << regime << weak;

@@ -628,6 +628,10 @@ BadLaws() {
   refuses 2 "is needed; the traction is between -0.6 and 0.6" solve "${scene[@]}" --branch falling
   refuses 2 "--friction-law rational lacks --friction-temperature" solve "${scene[@]}" --friction-law rational
   refuses 2 "friction-temperature = 0 is not allowed" solve "${scene[@]}" --friction-law linear --friction-temperature 0
+  for option in "--creep 0.1" "--traction 0.1"; do
+    refuses 1 "; friction is zero at T* = 0.5, at which the bodies meet" solve --friction 0.6 --peclet 100 --heating 0.01 \
+      --roller identical --bulk-difference 1 --friction-law linear --friction-temperature 0.4 $option
+  done
   local kind floor
   for kind in exponential rational piecewise-linear; do
     refuses 2 "friction-temperature = -0.02 is not allowed: it must be positive" \

@@ -547,7 +547,6 @@ TEST(LeastModel, MeetsEveryTolerance) {
   EXPECT_GT(compared, 85 * thorough);
 }
 
-// The paper's scene, and that more heat or a smaller tolerance never takes a lesser model.
 // What is told of errors counts every quantity, the temperature as well; only the place of the
 // hottest point has a tolerance of its own.
 TEST(LeastModel, EveryQuantityCountsInTheLargestDifference) {
@@ -561,6 +560,7 @@ TEST(LeastModel, EveryQuantityCountsInTheLargestDifference) {
   }
 }
 
+// The paper's scene, and that more heat or a smaller tolerance never takes a lesser model.
 TEST(LeastModel, TakesTheRungsInTurn) {
   const Prescribed given{Quantity::traction, 0.5};
   const auto model = [&](double heating, double tolerance) {
