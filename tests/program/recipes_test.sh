@@ -30,6 +30,12 @@ ReadmeCommands() {
   (cd copy && bash ../commands >../out 2>../err) || fail "$(cat err)"
   [ ! -s err ] && [ ! -s out ] || fail "said: $(cat out err)"
   grep -q '</svg>' copy/build/try/curves.svg || fail "no picture"
+  # those that answer a question, each by itself
+  grep -E '^    (build/thermoroll|printf)' "$project/README.md" >answers
+  [ "$(wc -l <answers)" -ge 10 ] || fail "the README has lost its commands"
+  (cd copy && bash -e ../answers >../out 2>../err) || fail "$(cat err)"
+  [ "$(wc -l <copy/results.csv)" -eq 3 ] || fail "no table of scenes"
+  grep -q 'creep,' copy/results.csv && [ -s copy/law.c ] && [ -s copy/profile.csv ] || fail "not all was written"
 }
 
 # A higher speed has less force at the end, and the rest of the curve is that of the options alone.

@@ -6,6 +6,9 @@
 
 #include <Eigen/Core>
 
+// The library and its users must align alike, or memory of one is freed wrongly by the other.
+static_assert(EIGEN_MAX_ALIGN_BYTES == 64, "compile with -DEIGEN_MAX_ALIGN_BYTES=64");
+
 namespace thermoroll {
 
 /// The factors of a solution at ascending s inside (-1, 1), on both zones: pressure is
