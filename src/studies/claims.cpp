@@ -333,10 +333,11 @@ Claims on_slip(const std::vector<PaperScene>& scenes) {
   };
   const std::string slip = "Zero up to the border, positive beyond";
   const std::vector<std::string> of_slip{"SlipFigure.IsZeroInTheStickZoneAndPositiveInTheSlipZone",
-                                         "SlipFigure.PublishedSchemeSlipsBehindOneBorder"};
+                                         "SlipFigure.PublishedSchemeSlipsBehindOneBorder",
+                                         "Coupled.ProfilesCarryTheLoads"};
   const std::vector<std::string> of_traction{
       "TractionFigure.ReachesTheFrictionLimitInTheSlipZoneOnly",
-      "TractionFigure.LiesBetweenZeroAndTheFrictionLimit"};
+      "TractionFigure.LiesBetweenZeroAndTheFrictionLimit", "Coupled.ProfilesCarryTheLoads"};
   return {row("v* is zero in the stick zone", &Slips::zero, "by construction", slip, of_slip,
               "fig:slip"),
           row("|q| < f p in the stick zone", &Slips::sticks, "",

@@ -710,7 +710,7 @@ TEST(Exchange, WithoutSlipBothBranchesMeet) {
     for (const Direction direction : {Direction::driving, Direction::braking}) {
       Scene scene = x.bodies.scene_with_bulk();
       scene.direction = direction;
-      const Prescribed given{Quantity::stick_slip_border, 1 - 1e-5};
+      const Prescribed given{Quantity::stick_slip_border, 1 - 1e-6};
       const CoupledSolution next = solve_coupled(scene, {Formulation::corrected, 1e-6}, given);
       const double sign = sign_of(direction);
       EXPECT_NEAR(sign * next.value(Quantity::traction), rest.traction, 4e-6);

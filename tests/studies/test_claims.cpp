@@ -52,8 +52,8 @@ TEST(Claims, FirstOrderEffectIsTheLimitOfTheScheme) {
     EXPECT_LT(fast.load_loss, faster.load_loss);
     EXPECT_TRUE(close((10 * faster.load_loss - fast.load_loss) / 9 / load, 1, 1e-6L)) << traction;
     EXPECT_TRUE(close((10 * faster.gamma0 - fast.gamma0) / 9 / gamma0, 1, 1e-6L)) << traction;
-    // At Pe = 100 and n = 400 the kernel is resolved to (h Pe)^2/24 = 0.03 and f H = 0.01 is the
-    // next order in H.
+    // At Pe = 100 and n = 400 the kernel is resolved to 0.44 (h Pe)^2/16 = 0.017 and f H = 0.01 is
+    // the next order in H.
     const reference::FirstOrder finite = reference::first_order(traction, 100);
     thermoroll::PublishedOptions options;
     options.nodes = 400;

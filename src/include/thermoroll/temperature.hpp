@@ -8,8 +8,8 @@ namespace thermoroll {
 
 /// T*(s) at a depth (in units of a, 0 on the surface), @eq:temperature; dimensionless, per
 /// @eq:temperature-scale. peclet > 0, s finite, depth >= 0, else std::invalid_argument; relative
-/// error below 1e-9 for 1e-3 <= peclet <= 1e8, or std::runtime_error. In a sum of temperatures its
-/// scale replaces a smaller value in this.
+/// error below 1e-9 for 1e-3 <= peclet <= 1e8, or std::runtime_error. If it is one term of a
+/// sum, scale is the size of that sum: the error is then below 1e-9 of the larger of both.
 Estimate temperature(const HeatFlux& flux, double peclet, double s, double depth = 0,
                      double scale = 0);
 
