@@ -74,7 +74,7 @@ struct thermoroll_scene {
   double conductivity_ratio;    ///< K2 / K1 > 0 of a conducting roller; else 0
   double heating_2;             ///< H2 >= 0 of a conducting roller; else 0
   double peclet_2;              ///< Pe2 > 0 of a conducting roller; 0 for that of the half-space
-  double bulk_difference;       ///< Theta, how much warmer a conducting roller is far away; 0
+  double bulk_difference;       ///< Theta, by how much a roller that conducts is warmer; 0
   int32_t friction_law;         ///< enum thermoroll_friction_law; constant
   int32_t branch;               ///< enum thermoroll_branch, of a traction with a law; rising
   double friction_temperature;  ///< T0* of a law, in SI units T0 in K; not 0; else 0
@@ -88,8 +88,8 @@ struct thermoroll_scene {
   int32_t places;                 ///< enum thermoroll_places, of a profile; else along contact
   double load, speed;             ///< P, N/m; V, m/s; 0 for a dimensionless scene, as the next
   double half_width, radius;      ///< one of them: a of the contact, or R of the cylinder; m
-  double shear_modulus, poisson;  ///< of both bodies: mu, Pa; nu
-  double expansion, diffusivity, conductivity;        ///< alpha, 1/K; k, m^2/s; K, W/(m K)
+  double shear_modulus, poisson;  ///< of both bodies: mu > 0, Pa; nu from 0 to below 1/2
+  double expansion, diffusivity, conductivity;        ///< alpha >= 0, 1/K; k, m^2/s; K, W/(m K)
   double expansion_2, conductivity_2, diffusivity_2;  ///< of a conducting roller; k2 may be 0 for k
   double bulk_temperature;                            ///< far away, degree C; NaN if it is unknown
   double bulk_temperature_2;                          ///< of the roller, if it is another; else NaN
@@ -210,7 +210,8 @@ THERMOROLL_EXPORT int thermoroll_solve(const struct thermoroll_scene* scenes,
 /// scene has THERMOROLL_AS_GIVEN, the caller has set s and depth of 1 to 100000 points, and the
 /// temperatures there are told; the published scheme has them at depth 0 only, without errors.
 /// Returns the status of the scene, which its result has too; what is told of a scene that failed
-/// is NaN. Returns 2, and writes nothing, if an array is null or has another size.
+/// is NaN. Returns 2, and writes nothing, if an array is null or has another size, or count is 0.
+/// The published scheme has no curves along the contact, which the result tells with its status 2.
 THERMOROLL_EXPORT int thermoroll_profile(const struct thermoroll_scene* scene,
                                          struct thermoroll_result* result,
                                          struct thermoroll_point* points, size_t count);

@@ -410,8 +410,8 @@ std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance,
     limit = known ? stated(now, error, tolerance / 10 * scale) : unknown;
     if (known && worst < tolerance) break;
     last = now;
-    level = points[0].solution;
     alone = points.size() > 2;
+    level = std::move(points[0].solution);
   }
   return limit;
 }

@@ -42,8 +42,8 @@ struct StudyRow {
   std::array<double, compared> ratio;  // by Quantity
 };
 
-/// Solve the scene of that number, and once more to 1e-10, or else to 1e-8 and a tenth of the
-/// tolerance; nothing where either is refused.
+/// Solve the scene of that number, and once more to 1e-10, or else to 1e-8 if the tolerance is at
+/// least ten times that; nothing where either is refused.
 std::optional<StudyRow> study_row(int number);
 
 /// The rows of the scenes below a number, in their order, computed on all processors.

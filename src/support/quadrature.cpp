@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include <gsl/gsl_errno.h>
@@ -35,13 +36,14 @@ gsl_function wrapped(const Function& f) {
   return {call, const_cast<Function*>(&f)};
 }
 
-// From here on GSL reports errors by its return codes; both functions below check them.
+// From here on GSL reports errors by its return codes.
 [[maybe_unused]] const auto abort_no_more = gsl_set_error_handler_off();
 
 }  // namespace
 
 Estimate integrate(const Function& f, const std::vector<double>& points, double scale) {
   const Workspace space(gsl_integration_workspace_alloc(intervals));
+  if (space == nullptr) throw std::bad_alloc();
   gsl_function function = wrapped(f);
   Estimate sum{0, 0};
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -63,11 +65,12 @@ Estimate integrate(const Function& f, const std::vector<double>& points, double 
 
 double minimum(const Function& f, double low, double middle, double high) {
   const Minimizer search(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
+  if (search == nullptr) throw std::bad_alloc();
   gsl_function function = wrapped(f);
   if (gsl_min_fminimizer_set(search.get(), &function, middle, low, high) != GSL_SUCCESS)
     throw std::runtime_error("no minimum between " + shortest(low) + " and " + shortest(high));
   for (int i = 0; i < 100 && high - low > 1e-9; ++i) {
-    gsl_min_fminimizer_iterate(search.get());
+    if (gsl_min_fminimizer_iterate(search.get()) != GSL_SUCCESS) break;  // none is better
     low = gsl_min_fminimizer_x_lower(search.get());
     high = gsl_min_fminimizer_x_upper(search.get());
   }

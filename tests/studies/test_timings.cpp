@@ -352,7 +352,7 @@ TEST(Comparison, BandsAreJaegersAndBloks) {
 
 // At the bar a ratio meets it; one whose repetitions spread by more than 5 % is not judged, nor is
 // one without a number.
-TEST(Timings, RatiosMeetTheirBars) {
+TEST(Timings, RatiosAreJudgedByTheirBars) {
   for (const bool at_least : {false, true}) {
     EXPECT_EQ(thermoroll::judgement(1.1, 0.05, 1.1, at_least), "met");
     EXPECT_EQ(thermoroll::judgement(1.2, 0.01, 1.1, at_least), at_least ? "met" : "missed");

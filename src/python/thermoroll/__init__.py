@@ -319,14 +319,16 @@ def solve(
     """
     Solve scenes on all processors; each argument is a number, a word, or an array of them.
 
-    friction: f > 0. peclet: Pe > 0. heating: H >= 0.
-    traction, creep or stick_slip_border: exactly one. Q* from -f to f or xi*, negative for
-        braking; or c0 between -1 and 1.
+    friction: f > 0. peclet: Pe from 1e-280 to 1e306. heating: H >= 0.
+    traction, creep or stick_slip_border: exactly one. Q* from -f to f (beyond with a law of friction
+        that rises) or xi*, negative for braking; or c0 between -1 and 1.
     roller: "insulated", "identical" or "conducting".
     conductivity_ratio, heating_2, peclet_2: K2 / K1 > 0, H2 >= 0 and Pe2 > 0 (0: Pe), for a
-        conducting roller only. bulk_difference: Theta, by how much it is warmer far away.
+        conducting roller only. bulk_difference: Theta, by how much a roller is warmer far away; not of
+        an insulated one.
     friction_law: "constant", "linear", "exponential", "rational" or "piecewise-linear", with
-        friction_temperature (T0*), friction_floor (0 to 1), friction_reference_temperature.
+        friction_temperature (T0* > 0; of a linear one that rises, below 0), friction_floor (0 to 1;
+        of a piecewise-linear one any end value), friction_reference_temperature.
     formulation: "corrected" or "printed".
     In SI units, in place of peclet and heating: load (N/m), speed (m/s), half_width or radius (m),
         shear_modulus (Pa), poisson, expansion (1/K), diffusivity (m^2/s), conductivity (W/(m K));
@@ -339,7 +341,7 @@ def solve(
     method: "auto", "closed-form", "first-order", "coupled" or "gauss-chebyshev". The closed form
         asked for by name leaves out what the heat does to the tractions, in its errors too.
     tolerance: 1e-11 to 1e-2. nodes: of gauss-chebyshev, 3 to 5000.
-    threads: how many, 0 for one on each processor; the results are the same.
+    threads: how many up to 1024, 0 for one on each processor; the results are the same.
 
     Returns the results in the broadcast shape of all arguments. A scene that fails raises nothing:
     it has a status, a message and NaN. Raises ValueError for an unknown word or shapes that do not
@@ -502,7 +504,8 @@ class Law:
         creeps = np.array(_numbers("creep", creep), order="C")
         values = np.zeros(creeps.shape, _law_value)
         values["size"] = _law_value.itemsize
-        _law_evaluate(self._handle, creeps.ctypes.data, values.ctypes.data, creeps.size)
+        if _law_evaluate(self._handle, creeps.ctypes.data, values.ctypes.data, creeps.size) == 2:
+            raise RuntimeError(_other_version)
         columns = _columns(values)
         del columns["size"]
         return LawValues(**columns)
