@@ -66,7 +66,7 @@ struct thermoroll_scene {
   uint32_t size;      ///< sizeof(struct thermoroll_scene)
   int32_t quantity;   ///< the prescribed one, enum thermoroll_quantity; the traction
   double given;       ///< its value: Q*, xi*, xi or Q in N/m, negative for braking, or c0
-  double friction;    ///< f > 0
+  double friction;    ///< f > 0, at most 1e100
   double peclet;      ///< Pe = V a / 2k, 1e-280 to 1e306
   double heating;     ///< H = 2 alpha (1+nu) k P / (a K) >= 0; 0
   int32_t roller;     ///< enum thermoroll_roller; insulated: all heat into the half-space

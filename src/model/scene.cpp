@@ -54,6 +54,7 @@ void require(bool allowed, const std::string& name, double value, const std::str
 
 void check(const Scene& scene) {
   require(scene.friction > 0, "friction", scene.friction, "positive");
+  require(scene.friction <= 1e100, "friction", scene.friction, "at most 1e100");
   require(scene.peclet > 0, "peclet", scene.peclet, "positive");
   require(scene.peclet >= 1e-280, "peclet", scene.peclet, "at least 1e-280");
   require(scene.peclet <= 1e306, "peclet", scene.peclet, "at most 1e306");

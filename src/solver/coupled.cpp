@@ -592,10 +592,16 @@ void check(double friction, const Prescribed& given) {
 void check(const Scene& scene, const Prescribed& given) {
   check(scene);
   const Prescribed more = beyond_no_slip(scene, given);
-  if (std::isfinite(given.value) && more.value != given.value)
-    require(more.value > 0, given.quantity == traction ? "traction" : "creep", given.value,
-            "beyond that of a contact without slip");
   const bool any = scene.law && given.quantity == traction;  // friction may rise
+  if (std::isfinite(given.value) && more.value != given.value) {
+    const std::string beyond = "beyond that of a contact without slip";
+    const double asked = sign_of(scene.direction) * given.value;
+    if (given.quantity == traction)
+      require(more.value > 0 && (any || more.value < scene.friction), "traction", asked,
+              beyond + (any ? "" : ", and below the friction"));
+    else
+      require(more.value > 0, "creep", asked, beyond);
+  }
   if (any) require(more.value > 0, "traction", given.value, "positive");
   if (!any) check(scene.friction, more);
 }

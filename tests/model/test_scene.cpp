@@ -128,6 +128,7 @@ TEST(Scene, RefusesWhatMakesNoSense) {
   const double huge = std::nextafter(1e306, infinity);  // beyond it 2 Pe and the like overflow
   expect_refusal(Scene{good.friction, huge, good.heating}, "peclet", huge, "at most 1e306");
   EXPECT_NO_THROW(thermoroll::check(Scene{good.friction, 1e306, good.heating}));
+  expect_refusal(Scene{1e101, good.peclet, good.heating}, "friction", 1e101, "at most 1e100");
   for (const double x : {-1e-9, not_a_number, infinity, -infinity})
     expect_refusal(Scene{good.friction, good.peclet, x}, "heating", x, "zero or positive");
 

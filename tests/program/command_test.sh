@@ -2195,6 +2195,9 @@ BadCurves() {
   end=$(sed -E 's/.*at most about ([-+0-9.e]*),.*/\1/' err)
   run creep-curve "${wheel[@]}" --to-ratio "$end" --points 2
   [ $status -eq 0 ] || fail "status $status: $(cat err)"
+  # a traction that no contact has between that without slip and the friction is told as it was given
+  refuses 2 "traction = 0.1 is not allowed: it must be beyond that of a contact without slip, and below the friction" \
+    solve --peclet 100 --heating 1 --friction 0.3 --traction 0.1 --roller identical --bulk-difference 1e20
   # with a bulk difference the usual creeps may be no creeps of the curve, and an end is told towards
   # the creep without slip
   curve="creep-curve --friction 0.5 --peclet 1e-4 --heating 1e6 --roller identical --bulk-difference 20"

@@ -23,7 +23,7 @@ enum class Direction { driving, braking };
 /// A rolling contact, in three of the dimensionless groups of @eq:groups; the fourth, the traction,
 /// is prescribed or found.
 struct Scene {
-  double friction;  ///< f > 0
+  double friction;  ///< f > 0, at most 1e100
   double peclet;    ///< Pe = V a / 2k, 1e-280 to 1e306
   double heating;   ///< H = 2 alpha (1+nu) k P / (a K) >= 0
   Roller roller{};  ///< the cylinder, an insulator unless it is said to conduct

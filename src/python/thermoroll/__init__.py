@@ -319,7 +319,7 @@ def solve(
     """
     Solve scenes on all processors; each argument is a number, a word, or an array of them.
 
-    friction: f > 0. peclet: Pe from 1e-280 to 1e306. heating: H >= 0.
+    friction: 0 < f <= 1e100. peclet: Pe from 1e-280 to 1e306. heating: H >= 0.
     traction, creep or stick_slip_border: exactly one. Q* from -f to f (beyond with a law of friction
         that rises) or xi*, negative for braking; or c0 between -1 and 1.
     roller: "insulated", "identical" or "conducting".
