@@ -13,15 +13,18 @@
 namespace thermoroll {
 namespace {
 
+double drawn(double temperature) { return std::abs(temperature) < 1e-12 ? 0 : temperature; }
+
 void temperature_curve(std::ostream& out, double load, double pe) {
   const HeatFlux flux = coupled_flux(paper::coupled(load, pe, Formulation::corrected));
-  for (const double s : grid(-1, 3, 240))
-    row(out, "corrected", load, pe, s, temperature(flux, pe, s).value);
+  for (const double s : grid(-1, 3, 200))
+    row(out, "corrected", load, pe, s, drawn(temperature(flux, pe, s).value));
   const PublishedSolution x = paper::scheme(load, pe);
   std::vector<double> points(x.grid.s.begin(), x.grid.s.end());
   std::reverse(points.begin(), points.end());
   for (const double s : grid(1.1, 3, 19)) points.push_back(s);
-  for (const double s : points) row(out, "scheme", load, pe, s, published_temperature(x, pe, s));
+  for (const double s : points)
+    row(out, "scheme", load, pe, s, drawn(published_temperature(x, pe, s)));
 }
 
 void temperature_by_peclet(std::ostream& out) {
@@ -42,8 +45,9 @@ const FigureData temperature_load_data{"temperature-load", temperature_by_load};
 void subsurface(std::ostream& out) {
   row(out, "s", "y", "T");
   const HeatFlux flux = coupled_flux(paper::coupled(0.5, 100, Formulation::corrected));
-  for (const double y : grid(0, 0.5, 28))
-    for (const double s : grid(-1.5, 3, 135)) row(out, s, y, temperature(flux, 100, s, y).value);
+  for (const double y : grid(0, 0.5, 25))
+    for (const double s : grid(-1.5, 3, 120))
+      row(out, s, y, drawn(temperature(flux, 100, s, y).value));
 }
 
 const FigureData subsurface_data{"subsurface", subsurface};
