@@ -46,7 +46,7 @@ void subsurface(std::ostream& out) {
   row(out, "s", "y", "T");
   const HeatFlux flux = coupled_flux(paper::coupled(0.5, 100, Formulation::corrected));
   for (const double y : grid(0, 0.5, 25))
-    for (const double s : grid(-1.5, 3, 120))
+    for (const double s : grid(-1.48, 3, 112))
       row(out, s, y, drawn(temperature(flux, 100, s, y).value));
 }
 
