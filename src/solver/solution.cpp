@@ -614,7 +614,7 @@ FoundKappa find_kappa(const PhysicalScene& si, double friction, const Prescribed
                       const Approach& approach, CreepUnit unit) try {
   const Solution x = solve(scene_of(si, friction), dimensionless(si, given, unit), approach);
   return {std::max(x.value(load_ratio), 0.0), x.error ? (*x.error)(load_ratio) : 0, {}};
-} catch (const std::exception&) {
+} catch (const std::runtime_error&) {
   return {0, 0, std::current_exception()};
 }
 
@@ -623,10 +623,12 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
   require(radius > 0, "radius", radius, "positive");
   check_but_half_width(si);
   double least = 0, most = 0, kappa = 1, before = 0, missed_before = 0;
+  std::exception_ptr reason;
   for (int step = 0; step < 50; ++step) {
     si.half_width = hertz_half_width(kappa * si.load, radius, si.shear_modulus, si.poisson);
     const FoundKappa found = find_kappa(si, friction, given, approach, unit);
-    if (found.reason && least == 0 && step == 7) std::rethrow_exception(found.reason);
+    if (step == 0) reason = found.reason;
+    if (reason && found.reason && least == 0 && step == 7) std::rethrow_exception(reason);
     const double missed = found.value - kappa;
     if (!found.reason && std::abs(missed) <= 1e-9 * kappa + found.error) return si.half_width;
     (missed > 0 ? least : most) = kappa;

@@ -787,6 +787,7 @@ TEST(Interface, OnlyFiniteAnswers) {
   tough.friction_temperature = tough.friction_floor = 0;
   tough.method = THERMOROLL_CLOSED_FORM;
   tough.friction = 1e300;
+  EXPECT_EQ(answer(tough).status, THERMOROLL_REFUSED);
   thermoroll_scene strong = tough;  // only the power is infinite: the units and the groups are not
   strong.roller = THERMOROLL_INSULATED;
   strong.quantity = THERMOROLL_TRACTION;
@@ -798,17 +799,15 @@ TEST(Interface, OnlyFiniteAnswers) {
   strong.shear_modulus = 1e-287;
   strong.diffusivity = 1000;
   strong.conductivity = 1e20;
-  for (const thermoroll_scene& scene : {tough, strong}) {
-    const thermoroll_result x = answer(scene);
-    EXPECT_EQ(x.status, THERMOROLL_NOT_CONVERGED);
-    EXPECT_EQ(std::string(x.message).find("no finite result was found"), 0U) << x.message;
-    expect_nan(x.value);
-    expect_nan(x.physical);
-    thermoroll_result result;
-    for (const thermoroll_point& point : points_of(scene, 3, result)) {
-      EXPECT_EQ(point.status, THERMOROLL_NOT_CONVERGED);
-      EXPECT_TRUE(std::isnan(point.s));
-    }
+  const thermoroll_result x = answer(strong);
+  EXPECT_EQ(x.status, THERMOROLL_NOT_CONVERGED);
+  EXPECT_EQ(std::string(x.message).find("no finite result was found"), 0U) << x.message;
+  expect_nan(x.value);
+  expect_nan(x.physical);
+  thermoroll_result result;
+  for (const thermoroll_point& point : points_of(strong, 3, result)) {
+    EXPECT_EQ(point.status, THERMOROLL_NOT_CONVERGED);
+    EXPECT_TRUE(std::isnan(point.s));
   }
   strong.method = THERMOROLL_GAUSS_CHEBYSHEV;  // it has no errors, which would be infinite as well
   strong.expansion = 0;

@@ -249,7 +249,7 @@ BadHeaders() {
   bad "the header names what is no option of solve: --friction" '--friction,traction,peclet'
   bad "the header names what is no option of solve: help" 'friction,traction,help'
   bad "the header names what is no option of solve: output" 'friction,traction,output'
-  bad "the header names what is no option of solve: " 'friction,traction,'
+  bad "the header has a column without a name (a comma at its end?)" 'friction,traction,'
   bad "the header names traction twice" 'friction,traction,traction'
   bad "the header lacks friction" 'traction,peclet'
   status=0
@@ -296,7 +296,7 @@ CaseFileAndTable() {
   done
   [ "$(cell peclet 1)" != "$(cell peclet 2)" ] || fail "one speed: $(cat results.csv)"
   echo 'resume = "x.csv"' >case.toml
-  refuses 2 "no option for it: resume" sweep scenes.csv --config case.toml
+  refuses 2 "no option of sweep: resume" sweep scenes.csv --config case.toml
 }
 
 # Labels stay as they are, with what needs quotes in CSV, and are no options; results do not get them.

@@ -68,7 +68,7 @@ struct LawValue {
 /// a kink or heat is strong: that of T* relative to T* at unit_creep. With a bulk difference that
 /// of T* is relative to what the difference makes as well, and more next to no slip; that of c0 is
 /// below 300 times the tolerance. Throws std::invalid_argument for data out of range, NotResolved
-/// where the tolerance is met nowhere.
+/// where the tolerance is met nowhere or the curve begins without a contact.
 CreepLaw creep_law(const Scene& scene, Formulation formulation, double tolerance = 1e-4,
                    const CreepRange& range = {});
 
