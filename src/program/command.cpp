@@ -253,7 +253,9 @@ void check_names(const Options& o) {
                                    {"--profile", o.profile},
                                    {"--resume", o.resume},
                                    {"--datapackage", o.package}};
-  std::vector<Named> others{{"the table", o.table}, {"--config", o.config}, {"--times", o.times}};
+  std::vector<Named> others{{"the table", o.table == "-" ? "/dev/stdin" : o.table},
+                            {"--config", o.config},
+                            {"--times", o.times}};
   for (const auto& [option, file] : written) {
     if (file.empty() || file == "-" || !may_be_replaced(file)) continue;
     for (const auto& [other, name] : others)
@@ -540,7 +542,7 @@ std::optional<Part> read_part(const std::string& text) {
 }
 
 int open_table(const std::string& file) {
-  if (!file.empty() && file != "-") {
+  if (file != "-") {
     std::error_code none;
     const bool is_folder = std::filesystem::is_directory(file, none);
     const int input = is_folder ? -1 : open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -555,23 +557,10 @@ int open_table(const std::string& file) {
   return STDIN_FILENO;
 }
 
-void check_input(const Options& o) {
-  using Named = std::pair<const char*, std::string>;
-  for (const auto& [option, file] : {Named{"--output", o.output}, Named{"--resume", o.resume},
-                                     Named{"--datapackage", o.package}}) {
-    std::error_code none;
-    if (!file.empty() && may_be_replaced(file) &&
-        std::filesystem::equivalent("/dev/stdin", file, none))
-      throw std::invalid_argument(option + (" and the table are the same file, " + file));
-  }
-}
-
 void check_files(const Options& o) {
-  const bool is_file = !o.table.empty() && o.table != "-";
-  if (!o.part.empty() && !is_file)
+  if (!o.part.empty() && o.table == "-")
     throw std::invalid_argument("--part needs the table as a file: thermoroll sweep TABLE --part " +
                                 o.part);
-  if (!is_file) check_input(o);
   if (o.resume == "-") throw std::invalid_argument("resume = - is not allowed: it must be a file");
   if (!o.resume.empty() && !o.output.empty())
     throw std::invalid_argument("--output and --resume exclude each other");
@@ -726,6 +715,7 @@ std::vector<Setting> settings_given(const CLI::App& command) {
 }
 
 void read_table_options(const CLI::App& command, Options& o) {
+  if (o.table.empty()) o.table = "-";
   if (!o.keep.empty()) read_cells(o.keep, o.of_table.keep);
   if (!o.columns.empty()) read_cells(o.columns, o.of_table.columns);
   std::replace(o.of_table.given.begin(), o.of_table.given.end(), '_', '-');

@@ -60,14 +60,6 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
 }
 
-void forget_the_leading_edge(GridSolution& x, const Scene& scene) {
-  const auto is_small = [&](const Violation& v) {
-    return v.to < 0.005 - 1 && (v.what == "backward slip" || scene.bulk_difference != 0);
-  };
-  auto& all = x.violations;
-  all.erase(std::remove_if(all.begin(), all.end(), is_small), all.end());
-}
-
 /// The solution at w of @eq:law-sampling on a grid of n unknowns, from one near by or from none.
 GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   const double without = curve.rest.creep;
@@ -84,7 +76,7 @@ GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   if (x.newton_steps == 0 && n > 40) x = from(solution_at(curve, n / 2, w, near));
   const GridSolution again = misses_kink(x) ? from(x) : x;
   if (again.newton_steps > 0) x = again;
-  forget_the_leading_edge(x, curve.scene);
+  forget_the_edge(x, 0.005, curve.scene.bulk_difference != 0);
   if (x.newton_steps > 0) x.value(Quantity::max_temperature) = hottest(curve, x);
   return x;
 }

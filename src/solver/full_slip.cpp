@@ -170,9 +170,9 @@ GridSolution coarse_full_slip(SlippingGrids& grids, double creep) {
   return level;
 }
 
-void forget_the_edge(GridSolution& x, double length) {
+void forget_the_edge(GridSolution& x, double length, bool also_others) {
   const auto at_the_edge = [&](const Violation& v) {
-    return v.what == "backward slip" && v.to < length - 1;
+    return (also_others || v.what == "backward slip") && v.to < length - 1;
   };
   auto& all = x.violations;
   all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());

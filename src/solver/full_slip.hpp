@@ -17,8 +17,9 @@ ContactGrid at_creep(ContactGrid grid, double creep);
 /// std::invalid_argument, one for which nothing is found by std::runtime_error.
 CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep);
 
-/// Drop a backward slip over less than this length at the leading edge.
-void forget_the_edge(GridSolution& x, double length);
+/// Drop a backward slip over less than this length at the leading edge, and other violations there
+/// if they are meant as well.
+void forget_the_edge(GridSolution& x, double length, bool also_others = false);
 
 /// Refuse, by std::invalid_argument, the traction of constant friction itself, f or -f by the
 /// direction, with the least creep that it belongs to.

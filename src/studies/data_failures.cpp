@@ -62,8 +62,10 @@ SchemeEnd end_of_scheme(const Scene& scene, double traction, Formulation formula
 void values_on_contacts(nlohmann::ordered_json& v) {
   constexpr int count = 300;
   int refused = 0, wrong = 0, unsettled = 0, scheme_wrong = 0;
+  double most = 0;
   for (Sample x : random_scenes(count)) {
     x.scene.heating *= 10;
+    most = std::max(most, x.scene.friction * x.scene.heating);
     const Prescribed given{Quantity::traction, x.traction};
     const Outcome found = outcome([&] {
       return solve_coupled(x.scene, {x.formulation, 1e-3}, given);
@@ -75,6 +77,7 @@ void values_on_contacts(nlohmann::ordered_json& v) {
     scheme_wrong += end == SchemeEnd::lost || end == SchemeEnd::wrong ? 1 : 0;
   }
   v["contact_scenes"] = std::to_string(count);
+  v["contact_heat"] = std::to_string(std::lround(most));
   v["contact_refused"] = std::to_string(refused);
   v["contact_wrong"] = std::to_string(wrong);
   v["contact_nodes"] = std::to_string(few_nodes.nodes);

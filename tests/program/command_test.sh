@@ -2334,7 +2334,7 @@ NoInputIsReplaced() {
   for option in --output --resume; do
     run sweep $option table.csv <table.csv
     [ $status -eq 2 ] || fail "status $status"
-    one_line "$option and the table are the same file, table.csv"
+    one_line "$option and the table are the same file, /dev/stdin"
   done
   cmp table.csv kept.csv || fail "the table was changed"
   run solve --config wheel.toml --output /dev/null --profile /dev/null

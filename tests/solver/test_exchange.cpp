@@ -663,6 +663,29 @@ TEST(Exchange, TwoDigitsHaveTheirErrors) {
   }
 }
 
+// A wheel of manganese steel on a steel rail at 1 m/s, 100 K hotter with a/R = 0.01 and 200 K
+// hotter with a/R = 0.005: the surfaces separate beside the leading edge over a thousandth and a
+// hundredth of the half-width, and friction is exceeded a little farther, as the chapter says.
+TEST(Exchange, HotterBodiesThatDistortMoreSeparateAtTheEdge) {
+  struct Pair {
+    double load, half_width, warmer, width;
+  };
+  for (const Pair& x : {Pair{4.19e6, 4.6e-3, 100, 1e-3}, Pair{1.045e6, 2.3e-3, 200, 1e-2}}) {
+    thermoroll::PhysicalScene si{x.load, 1,  x.half_width, 8.1e10, 0.3,   1.1e-5,
+                                 1.4e-5, 50, 1.8e-5,       13,     3.5e-6};
+    si.bulk_temperature = 20;
+    si.bulk_temperature_2 = 20 + x.warmer;
+    const CoupledSolution found = solve_coupled(scene_of(si, 0.3), {Formulation::corrected, 1e-4},
+                                                {Quantity::stick_slip_border, 0.2});
+    ASSERT_GE(found.violations.size(), 2U);
+    EXPECT_EQ(found.violations[0].what, "separation");
+    EXPECT_NEAR((1 + found.violations[0].to) / x.width, 1, 0.15);
+    EXPECT_EQ(found.violations[1].what, "traction above friction");
+    EXPECT_GT(found.violations[1].to, found.violations[0].to);
+    EXPECT_LT((1 + found.violations[1].to) / x.width, 2);
+  }
+}
+
 // Where nothing slips, q / (f p) of identical bodies comes to H Pe Theta / 2 at the trailing edge
 // at high speed, @eq:slip-by-heat: as the root of the distance, which two nodes remove, and of 1 /
 // Pe, which two speeds remove. The first of these is 0.12 at Pe = 10, and its square is left.

@@ -462,6 +462,8 @@ TEST(HotFriction, TheUpstreamPartKeepsItsNodes) {
     return std::abs(y.value(Quantity::traction) - fine.value(Quantity::traction));
   };
   EXPECT_GT(error(swapped), 100 * error(x));
+  EXPECT_GT(error(swapped), 7e-5) << "as the chapter says";
+  EXPECT_LT(error(x), 5e-7) << "as the chapter says";
 }
 
 // A grid with nodes at a kink starts from another's heat: two steps of Newton's method remain, and
