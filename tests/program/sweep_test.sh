@@ -295,6 +295,11 @@ CaseFileAndTable() {
     [ "$(cell $column 2)" = "$(cell $column 1 out)" ] && [ -n "$(cell $column 1)" ] || fail "$column: $(cat results.csv)"
   done
   [ "$(cell peclet 1)" != "$(cell peclet 2)" ] || fail "one speed: $(cat results.csv)"
+  printf '%s\n' traction,radius 0.5,0.3 0.5, >scenes.csv
+  sweeps 0 --config wheel.toml
+  [ "$(cell creep 2)" = "$(cell creep 1 out)" ] || fail "no radius: $(cat results.csv)"
+  answers solve --config wheel.toml --traction 0.5 --radius 0.3 --format csv
+  [ "$(cell creep 1)" = "$(cell creep 1 out)" ] && [[ "$(cell physical.radius 1)" = 0.3* ]] || fail "$(cat results.csv)"
   echo 'resume = "x.csv"' >case.toml
   refuses 2 "no option of sweep: resume" sweep scenes.csv --config case.toml
 }
