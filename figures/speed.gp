@@ -57,9 +57,9 @@ set label 'cached' at 2.05, 0.11 left
 set label 'product integration' at 5, 0.1 left
 set label 'graded panels' at 10.3, 2.2*seconds('graded_panels/n:100'.at_wheel) right
 set label 'coupled' at 8.3, 6.5e-5 left
-set label 'first order' at 5.2, seconds('first_order'.at_wheel) right
+set label 'linear correction' at 5.2, seconds('first_order'.at_wheel) right
 set label 'closed form' at 2.95, seconds('closed_form'.at_wheel) left
 eval "plot ".curve('gauss_chebyshev', 'published scheme', 3, 5).', ' \
   .curve('thrifty', 'cached', 4, 13).', '.curve('moments', 'product integration', 2, 9).', ' \
   .curve('graded_panels', 'graded panels', 6, 1).', '.curve('coupled', 'coupled', 1, 7).', ' \
-  .settings('first_order', 5, 8, 'first order').', '.settings('closed_form', 5, 4, 'closed form')
+  .settings('first_order', 5, 8, 'linear correction').', '.settings('closed_form', 5, 4, 'closed form')

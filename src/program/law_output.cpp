@@ -460,8 +460,9 @@ std::string in_modelica(const CreepLawBySpeed& law, const LawUnits& unit,
 std::string in_json(const CreepLawBySpeed& law, const LawUnits& unit, nlohmann::ordered_json o) {
   for (const auto& [name, number] : constants_of(unit)) o[name] = number;
   for (const LawTable& table : all_tables_of(law)) {
-    const std::vector<int> counts(table.numbers.begin(), table.numbers.end());
-    o[table.name] = counts_pieces(table) ? nlohmann::json(counts) : nlohmann::json(table.numbers);
+    o[table.name] = table.numbers;
+    if (counts_pieces(table))
+      o[table.name] = std::vector<int>(table.numbers.begin(), table.numbers.end());
     if (table.numbers.size() == 1) o[table.name] = table.numbers.front();
   }
   for (const CreepLaw& one : law.laws)

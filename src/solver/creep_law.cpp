@@ -272,7 +272,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     if (k > 0 && found.corner.after == 0 && near.kinks.size() != last.kinks.size())
       found.corner = {law_node(from, to, k - 1), law_node(from, to, k), last};
   }
-  const double times = found.kinked ? 6 : 3;
+  constexpr double times = 3;
   const int step = found.kinked || x.curve.scene.bulk_difference != 0 ? 1 : 3;
   Trial trial{fitted(y), times / 15 * x.tolerance, LawErrors::Zero()};
   GridSolution near_finer = near;
@@ -402,6 +402,20 @@ std::string end_of_partial_slip(LawHalf& half, const std::string& reason) {
   return turns_back;
 }
 
+/// Whether full slip is the same to the tolerance where partial slip ends; if so, last is there.
+bool slips_on(HalfInTheMaking& x, double tolerance, LawPoint& last) {
+  if (x.half.pieces.empty()) return false;
+  x.curve.all_slips = x.curve.rest.creep + x.half.unit_creep;
+  LawPoint slips;
+  slips.at.value(Quantity::creep) = x.curve.rest.creep;
+  if (!go_on(x.curve, tolerance, 1, slips).empty()) return false;
+  const LawErrors jump = missed(x.half.pieces.back(), true, stored(x, true, 1, slips.at));
+  if ((jump > x.tolerance).any()) return false;
+  x.error = x.error.max(jump);
+  last = slips;
+  return true;
+}
+
 double first_contact(HalfCurve& curve) {
   for (double w = 0.02; w < 0.5; w *= 2) {
     const GridSolution x = solution_at(curve, 33, w, {});
@@ -440,9 +454,9 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
     x.tolerance(2) *= 300;
   }
   const std::string early = last.w > 0 ? add_pieces(x, last.grid, first, last.w, {}) : "";
-  if (!early.empty())
-    x.half.reason = end_of_partial_slip(x.half, early);
-  else if (last.w == 1)
+  if (!early.empty()) x.half.reason = end_of_partial_slip(x.half, early);
+  const bool to_its_end = early.empty() && last.w == 1;
+  if (to_its_end || (x.half.reason == turns_back && slips_on(x, tolerance / 3, last)))
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
   end_after_pieces(x.half, reach);
   if (first > 0 && last.w > 0) x.error += change_before(x, last.grid->finer, first);

@@ -184,7 +184,7 @@ CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, do
   GridSolution level = coarse_full_slip(grids, creep);
   if (!is_contact(level)) level = followed_full_slip(grids, creep, level);
   const auto n = static_cast<int>(level.h.size());
-  const double more = 1e-3 * creep;
+  const double more = 1e-3 * scale_in(scene, level.value)(Quantity::creep);
   Results slope = (solve_slipping_grid(grids, n, creep + more, level).value - level.value) / more;
   const auto next = [&](int finer, const GridSolution& last) {
     SlippingGrids once{scene, formulation};

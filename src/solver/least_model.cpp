@@ -349,11 +349,25 @@ Choice least_model(const Scene& scene, const Approach& approach, const Prescribe
   return {Model::coupled, reason, solve_coupled(scene, approach, given)};
 }
 
+void check_method(const Scene& scene, Method method) {
+  if (method == Method::automatic || method == Method::coupled) return;
+  if (scene.law)
+    throw std::invalid_argument(
+        "friction that depends on temperature needs the method coupled or auto");
+  if (scene.bulk_difference != 0)
+    throw std::invalid_argument("a bulk difference needs the method coupled or auto");
+  if (is_unlike(scene))
+    throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
+}
+
 Choice solve_by_method(const Scene& scene, const Approach& a, const Prescribed& given) {
   const std::string asked = "asked for";
   if (a.method == Method::coupled) return {Model::coupled, asked, solve_coupled(scene, a, given)};
-  if (a.method == Method::first_order)
-    return {Model::first_order, asked, first_order(scene, a, given)};
+  if (a.method == Method::first_order) {
+    const CoupledSolution x = first_order(scene, a, given);
+    if (x.error.allFinite()) return {Model::first_order, asked, x};
+    throw std::runtime_error("first-order: heat is too strong for one linear correction");
+  }
   if (a.method == Method::closed_form)
     return {Model::closed_form, asked, closed_form(scene, a, given)};
   return least_model(scene, a, given);

@@ -42,6 +42,9 @@ struct Choice {
 /// refusals as for solve_coupled.
 Choice least_model(const Scene& scene, const Approach& approach, const Prescribed& given);
 
+/// Refuse, by std::invalid_argument, a method that leaves out a part of the scene.
+void check_method(const Scene& scene, Method method);
+
 /// Solve by the model that the approach's method names, or by the least one; not by the published
 /// scheme. Arguments, errors and refusals as for that model.
 Choice solve_by_method(const Scene& scene, const Approach& approach, const Prescribed& given);

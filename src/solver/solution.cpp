@@ -30,8 +30,6 @@ void set_given(const Prescribed& given, Results& value, Results& error) {
 
 Solution solve_to_tolerance(const Scene& scene, const Approach& approach, const Prescribed& given) {
   const auto [model, reason, x] = solve_by_method(scene, approach, given);
-  if (!x.error.allFinite() && model == Model::first_order)
-    throw std::runtime_error("first-order: heat is too strong for one linear correction");
   if (!x.error.allFinite()) throw NotConverged("no finite error was found");
   Results value = x.value, error = x.error;
   set_given(given, value, error);
@@ -97,16 +95,7 @@ std::string range_of_traction(double friction) {
   return "the traction is between -" + shortest(friction) + " and " + shortest(friction);
 }
 
-void check_method(const Scene& scene, const Prescribed& given, Method method) {
-  const bool lesser = method == Method::closed_form || method == Method::first_order ||
-                      method == Method::gauss_chebyshev;
-  if (scene.law && lesser)
-    throw std::invalid_argument(
-        "friction that depends on temperature needs the method coupled or auto");
-  if (scene.bulk_difference != 0 && lesser)
-    throw std::invalid_argument("a bulk difference needs the method coupled or auto");
-  if (is_unlike(scene) && lesser)
-    throw std::invalid_argument("bodies of unlike diffusivities need the method coupled or auto");
+void check_branch(const Scene& scene, const Prescribed& given) {
   if (!scene.law && given.branch == Branch::falling)
     throw std::invalid_argument("branch = falling is not allowed: friction is constant, and " +
                                 range_of_traction(scene.friction));
@@ -488,7 +477,8 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
 Solution solve(const Scene& scene, const Prescribed& given, const Approach& approach) {
   check(scene);
   check_with_sign(scene, given);
-  check_method(scene, given, approach.method);
+  check_method(scene, approach.method);
+  check_branch(scene, given);
   if (approach.method != Method::gauss_chebyshev) check_tolerance(approach.tolerance);
   const Scene turned = directed(scene, given);
   const bool braking =

@@ -350,6 +350,9 @@ def RefusalsAreSentences():
         assert "traction" in story(browser), story(browser)
         browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ value: 0.3 }})")
         browser.wait(f"{LARGE}.querySelector('.live-story').textContent.startsWith('Model: ')")
+        browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ method: 'first-order' }})")
+        browser.wait(f"{LARGE}.querySelector('.live-story').textContent.startsWith('Refused: ')")
+        assert "coupled or auto" in story(browser), story(browser)
         # So is nonsense, and the next question is answered.
         got = browser.run("window.thermoroll.ask('solve', {}, 'test').catch((e) => e.message)")
         assert isinstance(got, str) and "friction" in got, got

@@ -414,6 +414,10 @@ TEST(CreepLaw, KinksMoveAlongTheCurve) {
   holds(enters, 0.275129, 0.0009);
   holds(moves, 0.151, 0.0014);
   holds(rises, 0.15, 0.05);
+  Scene misses{0.456, 1801.4, 0.007172, {1, 0.007172}};  // whose nodes have to follow its kink
+  misses.law = thermoroll::exponential_friction({0.0112, 0.207, 0.00525});
+  const CreepLaw far = creep_law(misses, Formulation::corrected, 1e-4, {0, 10});
+  EXPECT_EQ(far.driving.reason, "no more was asked for");
 }
 
 // With the printed sign and strong heat, creeps of the coarsest grids are negative near free
@@ -458,6 +462,34 @@ TEST(CreepLaw, EndsWhereTheCreepTurnsBack) {
     EXPECT_LE(off(Quantity::traction, -at.traction), law.traction_error) << creep;
     EXPECT_LE(off(Quantity::stick_slip_border, at.border), law.border_error) << creep;
     EXPECT_LE(off(Quantity::max_temperature, at.temperature), law.temperature_error) << creep;
+  }
+}
+
+// A steel wheel that is 80 K hotter than a rail of another steel, at 20 m/s: the creep turns back
+// by 0.3 % before the stick zone vanishes, and friction that falls goes on in full slip. Where both
+// parts meet, their difference is within the stated error.
+TEST(CreepLaw, GoesOnInFullSlipBeyondASmallTurn) {
+  Scene wheel{0.35, 5571.4, 0.01232, {0.9, 0.013333, 6240}, Direction::driving, {}, 0.0017908};
+  for (const bool falls : {false, true}) {
+    if (falls) wheel.law = thermoroll::exponential_friction({0.008954, 0.4});
+    const CreepLaw law = law_of(wheel);
+    EXPECT_EQ(law.driving.reason, "no more was asked for");
+    const double joint = law.no_slip_creep + law.driving.unit_creep;
+    const LawValue before = evaluate(law, joint * (1 - 1e-9)).value(),
+                   after = evaluate(law, joint * (1 + 1e-9)).value();
+    EXPECT_LT(before.border, 0);
+    EXPECT_EQ(after.border, -1);
+    EXPECT_NEAR(before.traction, after.traction, law.traction_error);
+    EXPECT_NEAR(before.temperature, after.temperature, law.temperature_error);
+    EXPECT_NEAR(before.border, after.border, law.border_error);
+    for (const double creep : {0.7 * joint, 1.02 * joint, 0.3, 1.1, 3.9}) {
+      const CoupledSolution x = solved(wheel, creep, 1e-6);
+      const LawValue y = evaluate(law, creep).value();
+      const double grown = std::max(1.0, creep / law.driving.unit_creep);
+      EXPECT_NEAR(y.traction, x.value(Quantity::traction), law.traction_error) << creep;
+      EXPECT_NEAR(y.temperature, x.value(Quantity::max_temperature), law.temperature_error * grown)
+          << creep;
+    }
   }
 }
 

@@ -810,6 +810,15 @@ TEST(Exchange, JoinsFullSlip) {
           << static_cast<int>(q);
     EXPECT_NEAR(full.crossing->heat, next.crossing->heat, 2e-3 * std::abs(next.crossing->heat));
   }
+  Scene braked{0.05, 10, 0.5, {1, 0.5}, Direction::braking,
+               {},   2};  // slips as a whole without creep
+  const auto slipping = [&](double creep) {
+    return solve_coupled(braked, {Formulation::corrected, 1e-6}, {Quantity::creep, creep});
+  };
+  const CoupledSolution none = slipping(0), some = slipping(1e-9);
+  EXPECT_EQ(none.value(Quantity::traction), braked.friction);
+  EXPECT_LE(((none.value - some.value).abs() - none.error - some.error).head(compared).maxCoeff(),
+            1e-9);
 }
 
 // Where the contact is long enough the closed form of the partition is exact, to 1e-13, and the

@@ -464,6 +464,11 @@ TEST(HotFriction, TheUpstreamPartKeepsItsNodes) {
   EXPECT_GT(error(swapped), 100 * error(x));
   EXPECT_GT(error(swapped), 7e-5) << "as the chapter says";
   EXPECT_LT(error(x), 5e-7) << "as the chapter says";
+  EXPECT_FALSE(thermoroll::misses_kink(x));
+  EXPECT_TRUE(thermoroll::misses_kink(swapped)) << "at both places";
+  GridSolution beside = x;  // at the second place alone
+  beside.at.variable.clusters[1].place += clusters[1].width;
+  EXPECT_TRUE(thermoroll::misses_kink(beside));
 }
 
 // A grid with nodes at a kink starts from another's heat: two steps of Newton's method remain, and

@@ -83,6 +83,7 @@ Scene scene_of(const Question& q) {
 
 Choice solution_of(const Question& q) {
   const Approach by{Formulation::corrected, q.tolerance, static_cast<Method>(q.method)};
+  check_method(scene_of(q), by.method);
   return solve_by_method(scene_of(q), by, {static_cast<Quantity>(q.quantity), q.value});
 }
 
