@@ -20,8 +20,8 @@ panel(k, load, T_max, T_step, near) = place(k) \
     ."title label(i).', coupled' noenhanced, for [i = 1:4] data using 's':(thinned(column('s'), " \
     ."of_load(%g, 'scheme', i))) with points linetype 5 pointsize 0.4 " \
     ."title label(i).', published scheme' noenhanced, ", load, load) \
-  .end(load, 1, near ? 0.7 : 0).', '.end(load, 2, near ? 0.6 : 0.3).', ' \
-  .end(load, 3, near ? -0.15 : 0.05).', '.end(load, 4, near ? -0.6 : -0.2)
+  .end(load, 1, near ? 0.3 : 0).', '.end(load, 2, near ? 0.5 : 0.3).', ' \
+  .end(load, 3, near ? -0.15 : 0.05).', '.end(load, 4, near ? -0.5 : -0.2)
 eval axes('s', 'T*')
 set xtics 1
 set multiplot
