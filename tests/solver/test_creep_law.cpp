@@ -527,7 +527,9 @@ TEST(CreepLaw, HasNoValueBeyondItsEnd) {
     EXPECT_TRUE(evaluate(law, end).has_value());
     EXPECT_FALSE(evaluate(law, end * (1 + 1e-12)).has_value());
   }
-  for (const CreepLaw& one : {law, law_of(steel(), 1e-4, infinity)})
+  const CreepLaw endless = law_of({0.6, 100, 0}, 1e-4, infinity);
+  ASSERT_EQ(endless.driving.last_creep, infinity);
+  for (const CreepLaw& one : {law, endless})
     for (const double creep : {infinity, -infinity, std::nan("")})
       EXPECT_FALSE(evaluate(one, creep).has_value()) << creep;
 }
