@@ -414,10 +414,6 @@ TEST(CreepLaw, KinksMoveAlongTheCurve) {
   holds(enters, 0.275129, 0.0009);
   holds(moves, 0.151, 0.0014);
   holds(rises, 0.15, 0.05);
-  Scene misses{0.456, 1801.4, 0.007172, {1, 0.007172}};  // whose nodes have to follow its kink
-  misses.law = thermoroll::exponential_friction({0.0112, 0.207, 0.00525});
-  const CreepLaw far = creep_law(misses, Formulation::corrected, 1e-4, {0, 10});
-  EXPECT_EQ(far.driving.reason, "no more was asked for");
 }
 
 // With the printed sign and strong heat, creeps of the coarsest grids are negative near free
