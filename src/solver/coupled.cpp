@@ -52,8 +52,14 @@ bool is_of_flux(const Scene& scene, int n, double tail) {
   return scene.bulk_difference == 0 && (unevenness(scene) < 1.5 || n < 30 || tail > 0.01);
 }
 
-double layer_of_coarse_grid(const Scene& scene, int n, double flat_tail) {
-  const double of_flux = n < 16 ? 2e-4 : 0;
+double error_of_crossing_flux(const GridSolution& level) {
+  const auto more = static_cast<double>(level.h.size()) - 15;
+  return level.at.stick == 0 ? 2.5e-4 * std::exp(-0.3 * more) : 7.5e-5 * std::exp(-0.5 * more);
+}
+
+double layer_of_coarse_grid(const Scene& scene, const GridSolution& level, double flat_tail) {
+  const auto n = static_cast<double>(level.h.size());
+  const double of_flux = error_of_crossing_flux(level);
   return scene.bulk_difference == 0 ? std::max(of_flux, flat_tail / (n * n)) : of_flux;
 }
 
@@ -404,7 +410,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     const Results whole = change.max(corrected).max(0.3 * largest * share);
     left = (part_with_crossing_heat(scene, n, slow) * whole).max(tails * share) + 2e-15 * n;
     const bool coarse_and_flat = flat && n <= 200;
-    double of_layer = layer_of_coarse_grid(scene, n, coarse_and_flat ? now : 0);
+    double of_layer = layer_of_coarse_grid(scene, level, coarse_and_flat ? now : 0);
     if (slow && n < 48) of_layer = std::max(of_layer, now / 20);
     if (coarse_and_flat && n > 96 && now > then / 2)
       of_layer = std::max(of_layer, 2 * change(max_temperature));

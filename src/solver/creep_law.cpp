@@ -223,8 +223,10 @@ struct Corner {
 
 struct Findings {
   bool solved = true, kinked = false;
-  Corner corner{};     // the first one
-  std::string lost{};  // why there is no contact at one of them; empty if there is
+  Corner corner{};        // the first one
+  std::string lost{};     // why there is no contact at one of them; empty if there is
+  double first_lost = 0;  // its w
+  bool fails() const { return !solved || !lost.empty(); }
 };
 
 struct Trial {
@@ -232,6 +234,10 @@ struct Trial {
   LawErrors error, of_grid;
   Findings found{};
 };
+
+Trial no_piece(const Findings& found) {
+  return {{}, LawErrors::Constant(1), LawErrors::Constant(1), found};
+}
 
 /// Whether it misses the tolerance, by its grid alone.
 bool is_too_coarse(const Trial& trial, const LawErrors& tolerance) {
@@ -253,8 +259,10 @@ Stored stored_at(HalfInTheMaking& x, bool sticks, int n, double w, GridSolution&
     if (there.newton_steps > 0) last = there;
     found.solved = found.solved && there.newton_steps > 0;
     found.kinked = found.kinked || !there.kinks.empty();
-    if (found.lost.empty() && is_lost(x.curve, w, there).value_or(false))
+    if (found.lost.empty() && is_lost(x.curve, w, there).value_or(false)) {
       found.lost = contact_is_lost + there.violations.front().what;
+      found.first_lost = w;
+    }
   }
   return stored(x, sticks, w, last);
 }
@@ -269,6 +277,7 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
   for (int k = 0; k < law_terms; ++k) {
     const GridSolution last = near;
     y[static_cast<std::size_t>(k)] = at(grid.n, k, near);
+    if (found.fails()) return no_piece(found);
     if (k > 0 && found.corner.after == 0 && near.kinks.size() != last.kinks.size())
       found.corner = {law_node(from, to, k - 1), law_node(from, to, k), last};
   }
@@ -279,13 +288,14 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
   for (int upper = 10; upper > 0; upper -= step) {
     const double k = upper - 0.5;
     const Stored fine = at(grid.finer, k, near_finer);
+    if (found.fails()) break;
     trial.error = trial.error.max(times * missed(trial.piece, to <= 1, fine));
     if ((trial.error <= x.tolerance).all()) continue;
     const LawErrors moved = errors_of(at(grid.n, k, near).value - fine.value, to <= 1, fine);
     trial.of_grid = trial.of_grid.max(times * moved);
-    if (!is_too_coarse(trial, x.tolerance)) break;
+    if (!is_too_coarse(trial, x.tolerance) || (trial.error > 10 * x.tolerance).any()) break;
   }
-  if (!found.solved || !rises(y)) trial.error = trial.of_grid = LawErrors::Constant(1);
+  if (found.fails() || !rises(y)) return no_piece(found);
   trial.found = found;
   return trial;
 }
@@ -323,12 +333,13 @@ std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, dou
     x.error = x.error.max(trial.error);
     return "";
   }
-  const double least = coarse ? 0.03 : 3e-4;
-  if (to - from < least * (2 - from)) return lost.empty() ? not_resolved : lost;
-  const double middle = place_to_divide(x.curve, trial, std::min(grid->n, 40), from, to);
+  const double end = lost.empty() ? to : trial.found.first_lost;
+  const double least = coarse ? 0.03 : lost.empty() ? 3e-4 : 0.01;
+  if (end - from < least * (2 - from)) return lost.empty() ? not_resolved : lost;
+  const double middle = place_to_divide(x.curve, trial, std::min(grid->n, 40), from, end);
   const LawGrid* coarser = std::max(grid - 1, law_grids.data());
   const std::string reason = add_pieces(x, coarser, from, middle, near, trial.error);
-  return reason.empty() ? add_pieces(x, grid, middle, to, near, trial.error) : reason;
+  return reason.empty() ? add_pieces(x, grid, middle, end, near, trial.error) : reason;
 }
 
 /// The last point that has a contact up to w = 1, and the reason for an end before it.

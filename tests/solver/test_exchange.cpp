@@ -903,11 +903,14 @@ Missed missed(const Scene& scene, double creep, double tolerance) {
   return {(off / scale).head(compared).maxCoeff() / tolerance, by_error.head(compared).maxCoeff()};
 }
 
-// Grids of ten and fifteen unknowns agree by chance on the temperature of unlike bodies that slip
-// everywhere, and the tail was taken for that of the logarithm at the edges.
+// Coarse grids agree by chance on the temperature of unlike bodies that slip everywhere: those of
+// ten and fifteen unknowns, or twenty; with a law twelve and sixteen. The tail was taken for that
+// of the logarithm at the edges.
 TEST(Exchange, CoarseGridsKeepTheToleranceInFullSlip) {
   Scene braking{0.627497, 905.82625148, 0.0144642, {0.0493361, 0.101532, 1489.4977962}};
   braking.direction = Direction::braking;
+  Scene with_law{0.187, 43.69388571, 0.00154225972, {0.448, 0.000565252316, 127.97372385}};
+  with_law.law = rational_friction({272.728, 0.2});
   const Missed all[] = {
       missed({0.606058, 11.1397, 2.17719, {1.05449, 0, 320.534}}, 1.38864, 1e-2),
       missed({0.640605, 17583.9, 0.120275, {91.6028, 0.114889, 204574}}, 1.92225, 1e-4),
@@ -915,7 +918,9 @@ TEST(Exchange, CoarseGridsKeepTheToleranceInFullSlip) {
              0.16978612, 7.5e-3),
       missed(braking, 0.406433, 1.5e-4),
       missed({0.0341620905, 43.8346465, 7.0505712e-5, {0.923, 0.00034290562, 7.30981097}},
-             0.0329439938, 2e-3)};
+             0.0329439938, 2e-3),
+      missed({0.113, 39.73, 0.02, {0.665, 0.02, 94.18}}, 0.22, 1e-4),
+      missed(with_law, 0.6152526, 1e-4)};
   for (const Missed& x : all) {
     EXPECT_LE(x.tolerance, 1);
     EXPECT_LE(x.stated, 1);
