@@ -73,7 +73,7 @@ void check(const Scene& scene) {
   if (scene.law) check_friction(scene.law, 0);
   if (scene.law && scene.bulk_difference == 0)
     require(scene.law(0).value > 0, "the share of friction at the bulk temperature", 0,
-            "positive: the law leaves none there");
+            "positive: a floor or a higher reference temperature leaves some");
 }
 
 void check_friction(const FrictionLaw& law, double temperature) {

@@ -208,6 +208,19 @@ void say_idle_floor(const Solution& x) {
                "thermoroll: note: with --friction-floor 1 the law does not change the friction\n");
 }
 
+void say_constant_friction(const Solution& x) {
+  const auto* law = x.scene.law.target<LawOfFriction>();
+  const double hottest = x.value(Quantity::max_temperature);
+  if (law == nullptr || !(hottest > 0) || law->of.floor == 1) return;
+  const double most = law->operator()(std::min(0.0, x.scene.bulk_difference)).value;
+  const char* why = nullptr;
+  if (hottest <= law->of.reference)
+    why = "the contact is nowhere as hot as --friction-reference-temperature";
+  else if (law->of.scale > 0 && std::abs(most - law->of.floor) < 1e-4 * most)
+    why = "all of the contact is so hot that it is at --friction-floor";
+  if (why != nullptr) std::fprintf(stderr, "thermoroll: note: friction does not change: %s\n", why);
+}
+
 void print_notes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes)
     std::fprintf(stderr, "thermoroll: note: %s\n", note.c_str());
@@ -222,6 +235,7 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   if (!physical) say_idle_law(x);
   say_small_scale(o);
   say_idle_floor(x);
+  say_constant_friction(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
   if (x.approach.method == Method::gauss_chebyshev && apart > 1)

@@ -54,7 +54,7 @@ bool is_of_flux(const Scene& scene, int n, double tail) {
 
 double error_of_crossing_flux(const GridSolution& level) {
   const auto more = static_cast<double>(level.h.size()) - 15;
-  return level.at.stick == 0 ? 2.5e-4 * std::exp(-0.3 * more) : 7.5e-5 * std::exp(-0.5 * more);
+  return level.at.stick == 0 ? 2.5e-4 * std::exp(-0.3 * more) : 2e-4 * std::exp(-0.6 * more);
 }
 
 double layer_of_coarse_grid(const Scene& scene, const GridSolution& level, double flat_tail) {

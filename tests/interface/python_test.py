@@ -100,6 +100,7 @@ def SameAsTheProgramInSiUnits(program):
             assert error == float(told) if told else np.isnan(error), (row, name, error, told)
         assert found.notes.count(" is above ") == expected["notes"].count(" is above "), found.notes
         assert (found.notes != "") == (row["shear_modulus"] == 81)
+        assert f"notes={found.notes!r}" in repr(found), found
         np.testing.assert_array_equal(
             [found.creep, found.errors.creep], [float(expected["creep"]), float(expected["error_estimate.creep"] or "nan")])
     some = [x for x in wheels if set(x) == set(wheel) | {"creep_ratio"}] * 2
@@ -183,7 +184,10 @@ def SiDataAreWhole():
     hot = {**wheel, "creep_ratio": 0.01, "friction_law": "linear", "friction_temperature": 400.0}
     raises(TypeError, "needs bulk_temperature", thermoroll.solve, **hot, friction_reference_temperature=50.0)
     assert "are not for data in SI units" in thermoroll.solve(**wheel, traction=0.1, peclet=3).messages
-    assert "either half_width or radius" in thermoroll.solve(**wheel, traction=0.1, radius=0.46).messages
+    refused = thermoroll.solve(**wheel, traction=0.1, radius=0.46)
+    assert "either half_width or radius" in refused.messages and refused.messages in str(refused), refused
+    both = str(thermoroll.solve(friction=[0.6, -1], traction=0.1, peclet=10, heating=0))
+    assert "friction = -1" in both and "traction=array([" in both and "_notes" not in both, both
 
 
 def RefusesWhatIsNoNumber():

@@ -646,7 +646,18 @@ BadLaws() {
   run solve "${scene[@]}" --friction-law linear --friction-temperature -0.02 --friction-floor 1
   [ $status -eq 0 ] && [ "$(cat err)" = "thermoroll: note: --friction-floor makes no difference to friction that rises" ] ||
     fail "it rises: $(cat err)"
-  refuses 2 "the share of friction at the bulk temperature = 0 is not allowed: it must be positive: the law leaves none there" \
+  local constant="thermoroll: note: friction does not change:"
+  run solve "${si[@]}" --friction-law linear --friction-temperature 500 --bulk-temperature 20 --friction-reference-temperature 293
+  [ $status -eq 0 ] && [ "$(cat err)" = "$constant the contact is nowhere as hot as --friction-reference-temperature" ] ||
+    fail "in K: $(cat err)"
+  run solve "${si[@]:0:2}" --traction 0.2 "${si[@]:4}" --friction-law linear --friction-temperature 100 --friction-floor 0.4 --bulk-temperature 293 --friction-reference-temperature 20
+  [ $status -eq 0 ] && [ "$(cat err)" = "$constant all of the contact is so hot that it is at --friction-floor" ] ||
+    fail "bulk in K: $(cat err)"
+  for option in "--creep 0.1 --friction-reference-temperature 0.001" "--creep 0"; do
+    run solve "${scene[@]:0:4}" --heating 0.0175 --roller identical "${linear[@]}" $option
+    [ $status -eq 0 ] && [ ! -s err ] || fail "$option: $(cat err)"
+  done
+  refuses 2 "the share of friction at the bulk temperature = 0 is not allowed: it must be positive: a floor or a higher reference temperature leaves some" \
     solve "${scene[@]}" "${linear[@]}" --friction-reference-temperature -0.03
   refuses 2 "friction-floor = -0.1 is not allowed: it must be zero or positive" \
     solve "${scene[@]}" --friction-law piecewise-linear --friction-temperature 0.02 --friction-floor -0.1

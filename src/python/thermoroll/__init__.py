@@ -225,8 +225,14 @@ class Solution(Values):
     unknowns: NDArray  #: of the last grid, 0 without one
     physical: Physical | None  #: of data in SI units
     physical_errors: Physical | None
-    _messages: NDArray = dataclasses.field(repr=False)
-    _notes: NDArray = dataclasses.field(repr=False)
+    _messages: NDArray
+    _notes: NDArray
+
+    def __repr__(self) -> str:
+        """All but the raw bytes, with the messages and notes as text."""
+        told = {"messages": self.messages, "notes": self.notes}
+        rest = {name: x for name, x in vars(self).items() if name[0] != "_"}
+        return f"Solution({', '.join(f'{name}={x!r}' for name, x in {**told, **rest}.items())})"
 
     @property
     def messages(self) -> NDArray | str:
