@@ -425,7 +425,7 @@ local function number_heading(heading)
   if heading.identifier:match("^sec:") then
     define(heading.identifier, appendices and "appendix" or "sec", number)
   end
-  heading.content:insert(1, pandoc.Span(number, pandoc.Attr("", { "section-number" })))
+  heading.content:insert(1, pandoc.Span(number, pandoc.Attr("", { "no" })))
   heading.content:insert(2, pandoc.Space())
   return heading
 end

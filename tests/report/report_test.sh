@@ -81,7 +81,7 @@ NumbersOfInstalledHeaders() {
   perl -0777 -ne '
     print "$1 ($2)\n" while /id="(eq:[^"]*)" class="equation".*?class="number">\((\d+)\)/gs;
     print "$1 Table $2\n" while /<figure[^>]* id="(tbl:[^"]*)".*?<strong>Table.(\d+)/gs;
-    while (/<h\d[^>]*id="(sec:[^"]*)"[^>]*><span class="section-number">([^<]*)/g) {
+    while (/<h\d[^>]*id="(sec:[^"]*)"[^>]*><span class="no">([^<]*)/g) {
       my ($id, $number) = ($1, $2);
       print "$id ", ($number =~ /^\d/ ? "Section" : "Appendix"), " $number\n";
     }' "$report" | sort >"$work/expected"
