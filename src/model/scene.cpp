@@ -97,6 +97,8 @@ void check_but_half_width(const PhysicalScene& si) {
   require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
   const double bulk_2 = si.bulk_temperature_2.value_or(bulk);
   require(bulk_2 >= -273.15, "bulk-temperature-2", bulk_2, "at least -273.15 degree C");
+  require(bulk_2 == bulk || si.conductivity_2 > 0, "bulk-temperature-2", bulk_2,
+          shortest(bulk) + ", that of the half-space, unless the roller conducts");
   if (si.law) check(*si.law);
 }
 

@@ -649,6 +649,12 @@ TEST(Interface, RefusesBadSiData) {
   S cold = wheel();
   cold.bulk_temperature = std::nan("");
   expect_effect(cold, &S::bulk_temperature_2, 1, "bulk_temperature_2 needs bulk_temperature");
+  S alone = wheel_of_two_metals();
+  alone.roller = THERMOROLL_INSULATED;
+  alone.expansion_2 = alone.conductivity_2 = alone.diffusivity_2 = 0;
+  alone.bulk_temperature = 20;
+  expect_effect(alone, &S::bulk_temperature_2, 50,
+                "bulk_temperature_2 = 50 is not allowed: it must be 20, that of the half-space");
   S pulled = wheel();
   pulled.quantity = THERMOROLL_TANGENTIAL_LOAD;
   pulled.friction_law = THERMOROLL_CONSTANT;
