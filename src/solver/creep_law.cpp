@@ -483,7 +483,9 @@ BothHalves both_halves(Scene scene, Formulation formulation, double tolerance,
   const auto half = [&](Direction direction, double reach) {
     scene.direction = direction;
     if (reach >= 0) return half_law(scene, formulation, tolerance, reach, rest);
-    return HalfInTheMaking{{scene, formulation, {}, 0}, LawErrors::Zero()};
+    HalfInTheMaking none{{scene, formulation, {}, 0}, LawErrors::Zero()};
+    none.half.reason = not_asked;
+    return none;
   };
   const double driving = range.to - rest.creep;
   const double braking = range.from < rest.creep ? rest.creep - range.from : -1;

@@ -280,8 +280,8 @@ Profile finished(const Solution& x, Profile y) {
   if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
   if (x.scene.law) add_friction(x.scene, y);
   if (x.scene.direction == Direction::braking) {
-    y.traction *= -1;
-    y.slip *= -1;
+    y.traction = 0 - y.traction;  // no zero becomes negative
+    y.slip = 0 - y.slip;
   }
   return y;
 }

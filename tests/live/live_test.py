@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import urllib.parse
 
 from browser import Browser
 
@@ -350,6 +351,14 @@ def RefusalsAreSentences():
         assert "traction" in story(browser), story(browser)
         browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ value: 0.3 }})")
         browser.wait(f"{LARGE}.querySelector('.live-story').textContent.startsWith('Model: ')")
+        # A traction that brakes is negative in the sentence and in the table of curves.
+        assert "The traction is at most 0." in story(browser), story(browser)
+        browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ direction: 'braking' }})")
+        browser.wait(f"{LARGE}.querySelector('.live-story').textContent.includes('The traction is at least −0.')")
+        table = browser.run(LARGE + ".querySelector('a[download]').getAttribute('href')")
+        rows = list(csv.DictReader(io.StringIO(urllib.parse.unquote(table).split(",", 1)[1].split("\n\n")[0])))
+        assert min(float(row["traction"]) for row in rows) < -0.1 and max(float(row["traction"]) for row in rows) <= 0, rows
+        assert max(float(row["slip"]) for row in rows) <= 0 < max(float(row["pressure"]) for row in rows), rows
         browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ method: 'first-order' }})")
         browser.wait(f"{LARGE}.querySelector('.live-story').textContent.startsWith('Refused: ')")
         assert "coupled or auto" in story(browser), story(browser)

@@ -523,6 +523,9 @@ TEST(CreepLaw, HasNoValueBeyondItsEnd) {
     EXPECT_TRUE(evaluate(law, end).has_value());
     EXPECT_FALSE(evaluate(law, end * (1 + 1e-12)).has_value());
   }
+  const CreepLaw one_sided = creep_law(steel(), Formulation::corrected, 1e-3, {0.1, 1});
+  EXPECT_EQ(one_sided.braking.reason, "no more was asked for");
+  EXPECT_FALSE(evaluate(one_sided, -0.01).has_value());
   const CreepLaw endless = law_of({0.6, 100, 0}, 1e-4, infinity);
   ASSERT_EQ(endless.driving.last_creep, infinity);
   for (const CreepLaw& one : {law, endless})

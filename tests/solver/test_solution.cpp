@@ -387,10 +387,11 @@ TEST(Solution, FrictionOfAProfileIsThatOfItsTractions) {
   EXPECT_EQ(profile(solve({0.6, 100, 0.5}, {creep, 0.1})).friction.size(), 0);
 }
 
-// Nodes at a kink of a law leave rounding in the distances from the edges, and roots of these.
+// Nodes at a kink of a law leave rounding in the distances from the edges, and roots of these. A
+// zero has no sign, also where the bodies brake.
 TEST(Solution, ProfilesEndAtZero) {
   for (const double reference : {0.0005, 0.001, 0.002})
-    for (const double creep : {0.1, 0.3, 0.5}) {
+    for (const double creep : {0.1, -0.3, 0.5}) {
       Scene scene{0.3, 100, 0.01};
       scene.law = linear_friction({0.02, 0, reference});
       const Solution x = solve(scene, {Quantity::creep, creep});
@@ -399,6 +400,8 @@ TEST(Solution, ProfilesEndAtZero) {
         for (const auto curve : {&Profile::pressure, &Profile::traction, &Profile::heat_flux})
           EXPECT_EQ((y.*curve)(points - 1), 0) << reference << ' ' << creep;
         EXPECT_TRUE(y.slip.allFinite());
+        for (const auto curve : {&Profile::traction, &Profile::slip})
+          for (const double value : y.*curve) EXPECT_FALSE(value == 0 && std::signbit(value));
       }
     }
 }

@@ -367,8 +367,10 @@ function live_page(engine) {
   };
   const brief = (x, exactly = "exact") => x > 0 ? `± ${x.toExponential(0).replace("-", "−")}` : exactly;
 
+  const sign_of = (x) => x.direction === "braking" ? -1 : 1;
+
   function table_of(answer, x, instance) {
-    const sign = x.direction === "braking" ? -1 : 1;
+    const sign = sign_of(x);
     const rows = results.map(([name, i]) => {
       const value = answer.value[i] * (i === traction || i === creep ? sign : 1), error = answer.error[i];
       return [name, written(value, error), brief(error, i === question_of(x).quantity ? "given" : "exact")];
@@ -381,8 +383,9 @@ function live_page(engine) {
   function story_of(answer, x) {
     const full = answer.value[border] === -1 ? " The whole contact slips." : "";
     const wrong = answer.inadmissible ? " This is no contact: pressure or slip has the wrong sign." : "";
+    const signed = (value, digits) => (sign_of(x) * value).toPrecision(digits).replace("-", "−");
     const limit = Number.isFinite(answer.largest)
-      ? ` The traction is at most ${answer.largest.toPrecision(4)}, at the creep ${answer.its_creep.toPrecision(3)}.` : "";
+      ? ` The traction is at ${sign_of(x) < 0 ? "least" : "most"} ${signed(answer.largest, 4)}, at the creep ${signed(answer.its_creep, 3)}.` : "";
     const grid = answer.model === 2 ? `, ${answer.unknowns} unknowns` : "";
     const steel = x.speed > 0 && wheel ? ` The paper’s wheel: half-width ${(1000 * wheel[3]).toPrecision(3)} mm, Hertz’s pressure ${(wheel[4] / 1e6).toFixed(0)} MPa.` : "";
     return `Model: ${models[answer.model]}${grid} (${answer.reason}).${full}${limit}${wrong}${steel}`;
@@ -487,7 +490,8 @@ function live_page(engine) {
     }
 
     function show_links(asked) {
-      const csv = me.answer && !root.classList.contains("refused") ? "s,pressure,bound,traction,slip\n" + rows_of(me.answer.contact, 5).map((row) => row.join()).join("\n") +
+      const in_its_direction = ([s, pressure, bound, q, v]) => [s, pressure, bound, sign_of(asked) * q, sign_of(asked) * v].join();
+      const csv = me.answer && !root.classList.contains("refused") ? "s,pressure,bound,traction,slip\n" + rows_of(me.answer.contact, 5).map(in_its_direction).join("\n") +
         "\n\ns,temperature\n" + rows_of(me.answer.temperature, 2).map((row) => row.join()).join("\n") + "\n" : "";
       const address = address_of(asked);
       links.innerHTML = `<code>${command_of(asked).replace(/--\S+/g, "<span>$&</span>")}</code><br/><a href="${address}">Link to this scene</a> · ` +
