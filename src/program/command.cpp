@@ -191,13 +191,6 @@ void say_idle_law(const Solution& x) {
                hottest, law->of.scale);
 }
 
-void say_small_scale(const SceneOptions& o) {
-  const double scale = o.friction_temperature.value_or(1);
-  if (o.speed && std::abs(scale) < 1)
-    std::fprintf(stderr, "thermoroll: note: --friction-temperature %.3g is in K with SI data\n",
-                 scale);
-}
-
 void say_idle_floor(const Solution& x) {
   const auto* law = x.scene.law.target<LawOfFriction>();
   if (law != nullptr && law->of.scale < 0 && law->of.floor > 0)
@@ -206,19 +199,6 @@ void say_idle_floor(const Solution& x) {
   if (law == nullptr || law->of.floor != 1 || law->of.scale < 0) return;
   std::fprintf(stderr,
                "thermoroll: note: with --friction-floor 1 the law does not change the friction\n");
-}
-
-void say_constant_friction(const Solution& x) {
-  const auto* law = x.scene.law.target<LawOfFriction>();
-  const double hottest = x.value(Quantity::max_temperature);
-  if (law == nullptr || !(hottest > 0) || law->of.floor == 1) return;
-  const double most = law->operator()(std::min(0.0, x.scene.bulk_difference)).value;
-  const char* why = nullptr;
-  if (hottest <= law->of.reference)
-    why = "the contact is nowhere as hot as --friction-reference-temperature";
-  else if (law->of.scale > 0 && std::abs(most - law->of.floor) < 1e-4 * most)
-    why = "all of the contact is so hot that it is at --friction-floor";
-  if (why != nullptr) std::fprintf(stderr, "thermoroll: note: friction does not change: %s\n", why);
 }
 
 void print_notes(const std::vector<std::string>& notes) {
@@ -233,9 +213,9 @@ void conclude(const Solution& x, const std::optional<FoundInSi>& physical, const
   say_reference(o);
   if (x.scene.bulk_difference != 0) say_direction(x);
   if (!physical) say_idle_law(x);
-  say_small_scale(o);
+  const std::string constant = note_on_constant_friction(x);
+  if (!physical && !constant.empty()) print_notes({constant});
   say_idle_floor(x);
-  say_constant_friction(x);
   if (x.approach.method == Method::closed_form || x.scene.heating == 0) return;
   const double apart = x.scene.peclet * pi / x.approach.nodes;
   if (x.approach.method == Method::gauss_chebyshev && apart > 1)
@@ -426,7 +406,6 @@ void run_law(const Options& o) {
     if (std::abs(end.creep) < far) print_notes({note_on(end, rest, c.units, when)});
   }
   if (c.physical) print_notes(notes_on(*c.physical, c.scene.friction, 0, 0));
-  say_small_scale(o.of_scene);
 }
 
 /// An end in the unit of its option, if it is given.
@@ -510,7 +489,6 @@ void run_creep_curve(const Options& o) {
   const auto points = curve_points(law, range, c.scene.friction);
   deliver({{creep_curve_csv(law, points, c.units), o.output}});
   say_reference(o.of_scene);
-  say_small_scale(o.of_scene);
   print_notes(notes_on_ends(law, from, to, c.units));
   if (c.physical) print_notes(notes_along(law, points, *c.units, *c.physical, c.scene.friction));
 }

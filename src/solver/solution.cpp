@@ -427,6 +427,16 @@ double largest_friction(const Solution& x) {
   return scene.friction * std::max(1.0, scene.law(x.value(max_temperature)).value);
 }
 
+double of_half_space(const PhysicalScene& si) {
+  return grueneisen(si.conductivity / si.diffusivity, si.expansion, si.shear_modulus, si.poisson);
+}
+
+double of_cylinder(const PhysicalScene& si) {
+  if (!(si.expansion_2 > 0)) return 0;
+  const double diffusivity = si.diffusivity_2 > 0 ? si.diffusivity_2 : si.diffusivity;
+  return grueneisen(si.conductivity_2 / diffusivity, si.expansion_2, si.shear_modulus, si.poisson);
+}
+
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
                                           double friction) {
   struct Limit {
@@ -439,8 +449,9 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                           ? "steel melts there"
                           : "steel melts there with all heat in one body: two steel bodies are "
                             "about half as hot";
-  const double gamma =
-      grueneisen(si.conductivity / si.diffusivity, si.expansion, si.shear_modulus, si.poisson);
+  const char* of_gamma =
+      "is the modulus that of shear and of both bodies, and are expansion and diffusivity and "
+      "conductivity in SI units?";
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
@@ -451,10 +462,11 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
       {"friction", friction, 2, "solids have 0.01 to 1.5",
-       "is it a ratio and no percentage, and does its law hold at such temperatures?"},
-      {"grueneisen", gamma, 3, "solids have 0.5 to 2",
-       "is the modulus that of shear, and are expansion and diffusivity and conductivity in SI "
-       "units?"},
+       si.law ? "is it a ratio and no percentage, and does its law hold at such temperatures?"
+              : "is it a ratio and no percentage?"},
+      {"grueneisen", of_half_space(si), 3, "solids have 0.5 to 2", of_gamma},
+      {"grueneisen_2", of_cylinder(si), 3, "solids have 0.5 to 2", of_gamma},
+      {"speed", si.speed, 300, "a tenth of that of sound in steel", "is it in m/s or in mm/s?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};
   std::vector<std::string> notes;
@@ -468,7 +480,10 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
     notes.push_back("hertz_pressure = " + rounded(x.hertz_pressure, 3) + " is below " +
                     rounded(si.shear_modulus / 500, 4) +
                     " (a five-hundredth of the shear modulus): is the load that of a metre of "
-                    "the contact's width?");
+                    "the contact's width and a radius in m?");
+  if (si.law && std::abs(si.law->of.scale) < 1)
+    notes.push_back("friction_temperature = " + rounded(si.law->of.scale, 3) +
+                    " is below 1 in size (a kelvin): is it in K and not in units of T*?");
   return notes;
 }
 
@@ -526,6 +541,19 @@ FoundPeaks peaks(const Solution& x) {
   return found;
 }
 
+std::string note_on_constant_friction(const Solution& x) {
+  const auto* law = x.scene.law.target<LawOfFriction>();
+  const double hottest = x.value(max_temperature);
+  if (law == nullptr || !(hottest > 0) || law->of.floor == 1) return "";
+  const std::string note = "friction does not change ";
+  const double most = (*law)(std::min(0.0, x.scene.bulk_difference)).value;
+  if (hottest <= law->of.reference)
+    return note + "(the contact is nowhere as hot as its reference temperature)";
+  if (law->of.scale > 0 && std::abs(most - law->of.floor) < 1e-4 * most)
+    return note + "(all of the contact is so hot that it is at its floor)";
+  return "";
+}
+
 std::vector<std::string> notes_on(const PhysicalScene& si, double friction, double creep_ratio,
                                   double rise) {
   PhysicalResults x{};
@@ -552,6 +580,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   set_sizes(y.value, si, x.value(load_ratio));
   y.notes = beyond_the_model(y.value, si, largest_friction(x));
+  if (std::string note = note_on_constant_friction(x); !note.empty()) y.notes.push_back(note);
   y.heat_unit = unit.heat_flux * si.half_width;
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;

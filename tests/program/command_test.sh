@@ -646,13 +646,16 @@ BadLaws() {
   run solve "${scene[@]}" --friction-law linear --friction-temperature -0.02 --friction-floor 1
   [ $status -eq 0 ] && [ "$(cat err)" = "thermoroll: note: --friction-floor makes no difference to friction that rises" ] ||
     fail "it rises: $(cat err)"
-  local constant="thermoroll: note: friction does not change:"
+  local constant="thermoroll: note: friction does not change"
   run solve "${si[@]}" --friction-law linear --friction-temperature 500 --bulk-temperature 20 --friction-reference-temperature 293
-  [ $status -eq 0 ] && [ "$(cat err)" = "$constant the contact is nowhere as hot as --friction-reference-temperature" ] ||
+  [ $status -eq 0 ] && [ "$(cat err)" = "$constant (the contact is nowhere as hot as its reference temperature)" ] ||
     fail "in K: $(cat err)"
   run solve "${si[@]:0:2}" --traction 0.2 "${si[@]:4}" --friction-law linear --friction-temperature 100 --friction-floor 0.4 --bulk-temperature 293 --friction-reference-temperature 20
-  [ $status -eq 0 ] && [ "$(cat err)" = "$constant all of the contact is so hot that it is at --friction-floor" ] ||
+  [ $status -eq 0 ] && [ "$(cat err)" = "$constant (all of the contact is so hot that it is at its floor)" ] ||
     fail "bulk in K: $(cat err)"
+  run solve "${scene[@]}" "${linear[@]}" --friction-reference-temperature 0.5
+  [ $status -eq 0 ] && [ "$(cat err)" = "$constant (the contact is nowhere as hot as its reference temperature)" ] ||
+    fail "in T*: $(cat err)"
   for option in "--creep 0.1 --friction-reference-temperature 0.001" "--creep 0"; do
     run solve "${scene[@]:0:4}" --heating 0.0175 --roller identical "${linear[@]}" $option
     [ $status -eq 0 ] && [ ! -s err ] || fail "$option: $(cat err)"
@@ -991,7 +994,7 @@ NotesOnDataBeyondTheModel() {
   run temperature "${in_gpa[@]}" --at 0.5
   [ $status -eq 0 ] && [ "$(wc -l <err)" -eq 4 ] || fail "status $status: $(cat err)"
   run solve "${wheel[@]/1.4e-5/14}" --traction 0.3 --method closed-form # in mm^2/s
-  grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 3 .*: is the modulus that of shear, and are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
+  grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 3 .*: is the modulus that of shear and of both bodies, and are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
   # The load of a wheel in N.
   run solve "${wheel[@]/1.2e7/1.08e5}" --creep-ratio 0.005
   [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+08 (a five-hundredth of the shear modulus): is the load that of a metre of the contact's width?"
@@ -1016,14 +1019,15 @@ NotesOnCreepCurves() {
   local way
   for way in "law --format json" "creep-curve --from-ratio 0 --to-ratio 0.005 --points 3"; do
     run $way "${wheel[@]/#0.6/30}"
-    grep -q '^thermoroll: note: friction = 30 is above 2 .*: is it a ratio and no percentage, and does its law hold at such temperatures?$' err || fail "$way: $(cat err)"
+    grep -q '^thermoroll: note: friction = 30 is above 2 .*: is it a ratio and no percentage?$' err || fail "$way: $(cat err)"
   done
   # A law that rises without end, and Young's modulus in place of that of shear.
   run solve "${wheel[@]/#0.6/0.3}" --roller identical --creep-ratio 0.02 --friction-law linear --friction-temperature -40
-  grep -q '^thermoroll: note: friction = [0-9.]* is above 2 ' err || fail "$(cat err)"
+  grep -q '^thermoroll: note: friction = [0-9.]* is above 2 .* and does its law hold at such temperatures?$' err || fail "$(cat err)"
   for way in "solve --creep-ratio 0.002" "law --format json" "creep-curve --from-ratio 0 --to-ratio 0.005 --points 3"; do
     run $way "${wheel[@]}" --roller identical --tolerance 1e-3 --friction-law linear --friction-temperature 0.02 --friction-floor 0.5
-    grep -qx 'thermoroll: note: --friction-temperature 0.02 is in K with SI data' err || fail "$way: $(cat err)"
+    grep -qx 'thermoroll: note: friction_temperature = 0.02 is below 1 in size (a kelvin): is it in K and not in units of T\*?' err ||
+      fail "$way: $(cat err)"
   done
   run solve "${wheel[@]/8.1e10/2.1e11}" --creep-ratio 0.002
   grep -q '^thermoroll: note: grueneisen = 4.2[0-9]* is above 3 ' err || fail "$(cat err)"
@@ -1034,7 +1038,7 @@ NotesOnCreepCurves() {
 
 # A failure is told with the notes on its data, in one line; without them where the data are as they should be.
 NotesOnFailures() {
-  local si=("${wheel[@]}" --roller identical) about="; note: grueneisen = 1.[0-9]*e+06 is above 3 (solids have 0.5 to 2): is the modulus that of shear, and are expansion and diffusivity and conductivity in SI units?"
+  local si=("${wheel[@]}" --roller identical) about="; note: grueneisen = 1.[0-9]*e+06 is above 3 (solids have 0.5 to 2): is the modulus that of shear and of both bodies, and are expansion and diffusivity and conductivity in SI units?"
   fails() { # fails STATUS BEGINNING NOTE ARGUMENT...
     local expected=$1 beginning=$2 note=$3
     shift 3

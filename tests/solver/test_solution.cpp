@@ -1012,6 +1012,31 @@ TEST(Solution, FailuresKeepTheirTypeWithNotes) {
   EXPECT_EQ(told.find("note"), std::string::npos) << told;
 }
 
+// Data of the cylinder in other units, a speed in mm/s and a scale of friction in units of T* are
+// noted by their names; the same data in SI units are not.
+TEST(Solution, NotesOnEachBodySpeedAndScale) {
+  PhysicalScene aluminium = wheel_on_rail();
+  aluminium.shear_modulus = 2.6e10;
+  aluminium.conductivity_2 = 235;
+  aluminium.expansion_2 = 2.3e-5;
+  aluminium.diffusivity_2 = 9.7e-5;
+  aluminium.law = LawOfFriction{LawKind::linear, {-1.01}};
+  EXPECT_EQ(notes_on(aluminium, 0.6, 0, 0).size(), 0U);
+  const auto noted = [&](auto change) {
+    PhysicalScene c = aluminium;
+    change(c);
+    const std::vector<std::string> notes = notes_on(c, 0.6, 0, 0);
+    return notes.size() == 1 ? notes[0].substr(0, notes[0].find(' ')) : "none or many";
+  };
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.shear_modulus = 8.1e10; }), "grueneisen_2");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.diffusivity_2 = 97; }), "grueneisen_2");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.conductivity_2 = 0.235; }), "grueneisen_2");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.expansion_2 = 23; }), "grueneisen_2");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.speed = 301; }), "speed");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.law->of.scale = -0.99; }), "friction_temperature");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.law->of.scale = 0.02; }), "friction_temperature");
+}
+
 // A load in N where N/m is meant makes a pressure below a five-hundredth of the shear modulus. It
 // alone is noted, unless the half-width is in mm, which has the same effect and its own note.
 TEST(Solution, NoteOnALoadThatIsNotOfAMetre) {

@@ -114,6 +114,9 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
 std::vector<std::string> notes_on(const PhysicalScene& si, double friction, double creep_ratio,
                                   double rise);
 
+/// A note that a law of @eq:laws leaves friction constant in this contact; empty if it does not.
+std::string note_on_constant_friction(const Solution& x);
+
 /// Notes as the end of a message: "; note: " before each.
 std::string in_a_message(const std::vector<std::string>& notes);
 
