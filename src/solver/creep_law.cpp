@@ -334,7 +334,8 @@ std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, dou
     return "";
   }
   const double end = lost.empty() ? to : trial.found.first_lost;
-  const double least = coarse ? 0.1 : lost.empty() ? 3e-4 : 0.01;
+  const double coarsest = from < 1 ? 0.03 : 0.1;
+  const double least = coarse ? coarsest : lost.empty() ? 3e-4 : 0.01;
   if (end - from < least * (2 - from)) return lost.empty() ? not_resolved : lost;
   const double middle = place_to_divide(x.curve, trial, std::min(grid->n, 40), from, end);
   const LawGrid* coarser = std::max(grid - 1, law_grids.data());

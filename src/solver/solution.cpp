@@ -218,11 +218,20 @@ SurfaceCurve on_surface(const Solution& x, const Eigen::ArrayXd& s) {
   return all;
 }
 
+double error_of_moved_flux(const Solution& x) {
+  const Results& error = *x.error;
+  const bool all_slips = x.value(stick_slip_border) == -1;
+  if (x.model != Model::closed_form || !all_slips) return 0;
+  const double of_heat = error(heat_integral) / x.value(heat_integral);
+  return 2.5 * (error(load_ratio) + error(gamma0) + of_heat) * x.value(max_temperature);
+}
+
 double flux_error(const Solution& x) {
   if (!std::holds_alternative<CoupledSolution>(x.found) || x.value(slip_length) == 0) return 0;
   const auto place = Eigen::ArrayXd::Constant(1, x.value(max_temperature_at));
   const double top = on_surface(x, place).temperature(0);
-  return (*x.error)(max_temperature) + 2 * std::abs(top - x.value(max_temperature));
+  const double missed = 2 * std::abs(top - x.value(max_temperature));
+  return std::max((*x.error)(max_temperature) + missed, error_of_moved_flux(x));
 }
 
 /// How many intervals lie between the points in each zone.
@@ -453,6 +462,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       "is the modulus that of shear and of both bodies, and are expansion and diffusivity and "
       "conductivity in SI units?";
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
+  const double gamma = of_half_space(si), gamma_2 = of_cylinder(si);
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
        units},
@@ -464,8 +474,8 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       {"friction", friction, 2, "solids have 0.01 to 1.5",
        si.law ? "is it a ratio and no percentage, and does its law hold at such temperatures?"
               : "is it a ratio and no percentage?"},
-      {"grueneisen", of_half_space(si), 3, "solids have 0.5 to 2", of_gamma},
-      {"grueneisen_2", of_cylinder(si), 3, "solids have 0.5 to 2", of_gamma},
+      {"grueneisen", gamma, 3, "solids have 0.5 to 2", of_gamma},
+      {"grueneisen_2", gamma_2 == gamma ? 0 : gamma_2, 3, "solids have 0.5 to 2", of_gamma},
       {"speed", si.speed, 300, "a tenth of that of sound in steel", "is it in m/s or in mm/s?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};

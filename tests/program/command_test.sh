@@ -997,7 +997,7 @@ NotesOnDataBeyondTheModel() {
   grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 3 .*: is the modulus that of shear and of both bodies, and are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
   # The load of a wheel in N.
   run solve "${wheel[@]/1.2e7/1.08e5}" --creep-ratio 0.005
-  [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+08 (a five-hundredth of the shear modulus): is the load that of a metre of the contact's width?"
+  [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+08 (a five-hundredth of the shear modulus): is the load that of a metre of the contact's width and a radius in m?"
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   [ "$(value notes)" = "[]" ] || fail "a note on the paper's scene: $(cat out)"
   answers solve "${paper_scene[@]}" --format json
