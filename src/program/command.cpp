@@ -81,10 +81,14 @@ bool is_key(const CLI::App& command, const std::string& name) {
   return command.get_option_no_throw("--" + name) != nullptr && others.count(name) == 0;
 }
 
-std::string key_meant(const CLI::App& command, const std::string& name) {
+/// Of the command, if there is one of the section's name.
+std::string key_meant(const CLI::App* command, const CLI::App& solve, const std::string& name) {
+  if (name.find_first_of(":{") != std::string::npos) return " (a line is NAME = VALUE)";
+  if (command == nullptr) return "";
+  if (is_key(solve, name)) return " (a section [solve] may have it)";
   std::vector<std::string> keys;
-  for (const CLI::Option* option : command.get_options())
-    if (const std::string key = option->get_name().substr(2); is_key(command, key))
+  for (const CLI::Option* option : command->get_options())
+    if (const std::string key = option->get_name().substr(2); is_key(*command, key))
       keys.push_back(key);
   const std::string key = nearest(name, keys), place = instead_of("--" + name);
   if (!place.empty()) return " (" + place + ")";
@@ -137,12 +141,14 @@ class SceneFile : public CLI::ConfigBase {
       if (item.name == "++" || item.name == "--") continue;  // a section begins or ends
       if (item.parents.empty()) item.parents = here;
       item.name = hyphenated(item.name);
+      const CLI::App* solve = subcommand(program_, "solve");
       const CLI::App* command =
           item.parents.size() == 1 ? subcommand(program_, item.parents[0]) : nullptr;
-      if (command == nullptr || !is_key(*command, item.name))
+      if (command == nullptr || !is_key(*command, item.name)) {
+        const std::string key = item.parents == here ? item.name : item.fullname();
         throw std::invalid_argument("the scene file sets what is no option of " + here[0] + ": " +
-                                    (item.parents == here ? item.name : item.fullname()) +
-                                    (command == nullptr ? "" : key_meant(*command, item.name)));
+                                    key + key_meant(command, *solve, key));
+      }
       const std::vector<std::string> values = values_of_key(item.name, whole);
       if (item.inputs.size() > 1 && values.size() == 1) item.inputs = values;
       if (item.inputs.size() > 1 || !seen.insert(item.fullname()).second)
@@ -760,7 +766,8 @@ constexpr const char* solve_examples = R"(Examples:
   thermoroll solve --friction 0.6 --creep 0.5 --peclet 100 --heating 0.0175 \
     --friction-law linear --friction-temperature 0.02
   thermoroll solve --friction 0.3 --creep-ratio 0.002 --load 1.2e7 --speed 22.2 --radius 0.46 \
-    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 \
+    --conductivity 50 --roller identical
   thermoroll solve --config wheel.toml --profile profile.csv --profile-points 401
 
 The last reads the scene from a file of lines such as "friction = 0.6" (TOML or INI).
@@ -794,7 +801,8 @@ order. An empty cell leaves its option out, and an option of the sweep holds in 
 results have the same rows in the same order: the columns given, those of solve --format csv that
 are not among them, then status and error, which say what solve would have said of the row. Where
 a result has the name of a column that was given, it fills the cells that were left empty. The
-column id, and those that --keep names, are labels. With --resume the same command can be given
+column id, and those that --keep names, are labels. To sweep results again, give the same options:
+the results do not have them. With --resume the same command can be given
 again after it was stopped. Parts joined, in order, are the results of the whole table.)";
 
 constexpr const char* temperature_examples = R"(Examples:
@@ -827,13 +835,16 @@ constexpr const char* law_examples = R"(Examples:
   thermoroll law --friction 0.6 --peclet 100 --heating 0.0175 --friction-law linear \
     --friction-temperature 0.02 --format python --output law.py
   thermoroll law --friction 0.6 --load 1.2e7 --speed 1 --to-speed 60 --half-width 5.5e-3 \
-    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50
+    --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 \
+    --conductivity 50 --roller identical
 
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
 speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too; the tolerance is then
 from 3e-7 on, and 1e-3 is much faster where a reference temperature is reached in partial slip. A law is
-of one --half-width: that of a radius is told by solve --radius. Unless --roller says otherwise, all heat
+of one --half-width: that of a radius is told by solve --radius. Two laws in one C program need names
+of their own, as by cc -Dcreep_law=wheel_law. Creeps above 0.1 of the speed have values, too, but are
+beyond the model. Unless --roller says otherwise, all heat
 goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:

@@ -115,6 +115,7 @@ std::optional<bool> is_lost(HalfCurve& curve, double w, const GridSolution& x) {
 }
 
 constexpr const char* not_resolved = "the solution is not resolved (a larger tolerance may go on)";
+constexpr const char* not_endless = "creeps from there to infinity are not resolved together";
 constexpr const char* not_asked = "no more was asked for";
 constexpr const char* turns_back = "the creep turns back";
 const std::string contact_is_lost = "contact is lost: ";
@@ -372,6 +373,7 @@ std::string add_slipping_pieces(HalfInTheMaking& x, double reach, double toleran
     const LawGrid& finest = w < 2 ? law_grids.back() : *last.grid;
     std::string reason = go_on(x.curve, tolerance, w, last, finest);
     if (!reason.empty() && w < 2) reason = find_end(x.curve, tolerance, w, reason, last);
+    if (reason == not_resolved && w == 2) reason = not_endless;
     if (last.w > before.w) reason = add(last.w, before, reason);
     if (!reason.empty()) return reason;
     if (w == farthest) break;

@@ -148,7 +148,7 @@ Solution solve_turned(const Scene& scene, const Prescribed& given, const Approac
   if (!scheme) return solve_to_tolerance(scene, approach, given);
   check_paper_pair(scene);
   if (given.quantity != traction)
-    throw std::invalid_argument("gauss-chebyshev needs the traction: it cannot start from another");
+    throw std::invalid_argument("gauss-chebyshev needs the traction, and no creep or border");
   return solve_gauss_chebyshev(scene, given.value, approach);
 }
 

@@ -2331,6 +2331,13 @@ Completion() {
 NearestKey() {
   printf '%s\n' 'friction = 0.6' 'laod = 1' >scene.toml
   refuses 2 "the scene file sets what is no option of solve: laod (did you mean load?)" solve --config scene.toml --traction 0.5
+  printf '%s\n' 'friction = 0.6' 'peclet = 100' 'heating = 0' 'creep = 0.1' >scene.toml
+  refuses 2 "the scene file sets what is no option of creep-curve: creep (a section [solve] may have it)" creep-curve --config scene.toml
+  sed -i '/creep/i [solve]' scene.toml
+  answers solve --config scene.toml
+  answers creep-curve --config scene.toml
+  printf '%s\n' 'friction: 0.6' >scene.toml
+  refuses 2 "the scene file sets what is no option of solve: friction: 0.6 (a line is NAME = VALUE)" solve --config scene.toml
 }
 
 # A file that is read is not written to, however it is named; a device may be both.

@@ -367,6 +367,11 @@ TEST(CreepLaw, EndsWhereItIsNotResolved) {
   EXPECT_LE(law.traction_error, 1e-6);
   EXPECT_TRUE(evaluate(law, end).has_value());
   EXPECT_FALSE(evaluate(law, 1.001 * end).has_value());
+  Scene wheel{0.35, 4000, 0.0175, {1, 0.0175}};  // no polynomial reaches infinity by 1 / xi*
+  wheel.law = thermoroll::exponential_friction({0.01, 0.4});
+  const CreepLaw far = law_of(wheel, 1e-4, infinity);
+  EXPECT_EQ(far.driving.reason, "creeps from there to infinity are not resolved together");
+  EXPECT_GT(far.driving.last_creep, 999 * far.driving.unit_creep);
 }
 
 // In full slip the hottest point reaches the temperature of the floor, and the curve has a corner,
