@@ -402,6 +402,8 @@ std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance,
     const Results scale = scale_in(curve.scene, now);
     Results error = part * change + of_place + of_side + error_of_law(top, points, scale);
     error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * error_of_creep(now, error, scale);
+    const bool by_one_change = needs_more_points(top) && (change_before == 0).all();
+    if (by_one_change) error(creep) = std::max(error(creep), 2 * change(creep));
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
     const bool known = resolved && inside && !range && error.isFinite().all();
     const double worst = worst_of(error, scale, n, kinked);

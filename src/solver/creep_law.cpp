@@ -450,6 +450,23 @@ LawErrors change_before(HalfInTheMaking& x, int n, double first) {
   return errors_of(there.value, true, there);
 }
 
+/// A point from which full slip is the same to the tolerance, where the border goes to -1 slowly.
+std::optional<LawPoint> end_before_full_slip(HalfInTheMaking x, double tolerance) {
+  const double stick = std::min(0.004, x.tolerance(2) / 3), w = std::sqrt(1 - stick / 2);
+  const double unit = x.half.unit_creep, without = x.curve.rest.creep;
+  LawPoint end, slips;
+  end.at.value(Quantity::creep) = slips.at.value(Quantity::creep) = without;
+  if (!go_on(x.curve, tolerance, w, end).empty()) return std::nullopt;
+  x.curve.all_slips = end.at.value(Quantity::creep);
+  x.half.unit_creep = x.curve.all_slips - without;
+  const bool slowly = std::sqrt(x.half.unit_creep / unit) < 1 - 4 * (1 - w);
+  if (!slowly || !go_on(x.curve, tolerance, 1, slips).empty()) return std::nullopt;
+  const Stored sticks = stored(x, true, 1, end.at);
+  const LawErrors jump = sticks.value - stored(x, true, 1, slips.at).value;
+  const bool same = (errors_of(jump, true, sticks) <= x.tolerance).all();
+  return same ? std::optional(end) : std::nullopt;
+}
+
 HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tolerance,
                          double reach, NoSlip rest) {
   const double sign = sign_of(scene.direction);
@@ -466,6 +483,12 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   if (scene.bulk_difference != 0) {
     first = first_contact(x.curve);
     x.tolerance(2) *= 300;
+    const auto end = last.w == 1 ? end_before_full_slip(x, tolerance / 3) : std::nullopt;
+    if (end) {
+      last = *end;
+      x.half.unit_creep = last.at.value(Quantity::creep) - rest.creep;
+      x.half.reason = turns_back;
+    }
   }
   const std::string early = last.w > 0 ? add_pieces(x, last.grid, first, last.w, {}) : "";
   if (!early.empty()) x.half.reason = end_of_partial_slip(x.half, early);
@@ -473,7 +496,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   if (to_its_end || (x.half.reason == turns_back && slips_on(x, tolerance / 3, last)))
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
   end_after_pieces(x.half, reach);
-  if (first > 0 && last.w > 0) x.error += change_before(x, last.grid->finer, first);
+  if (first > 0 && last.w > 0) x.error += change_before(x, 106, first);
   return x;
 }
 
@@ -539,7 +562,7 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
     const double slip_length = z * z * clenshaw(piece.slip_length, x).value;
     const double bend = z < piece.from ? 0 : z * per_z * q.slope / 2;
     return LawValue{law.no_slip_traction + sign * size * q.value, q.value + bend, rise,
-                    1 - slip_length};
+                    std::max(1 - slip_length, -1.0)};
   }
   return LawValue{sign * q.value, unit / size / size * per_z * q.slope, rise * size / unit, -1};
 }

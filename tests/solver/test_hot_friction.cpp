@@ -706,6 +706,8 @@ TEST(HotFriction, MaximumIsWithinItsErrors) {
             0.0405712),
         row(1.24306, 29.1784, 1.19424, exponential_friction({0.635944, 0.356775}), 1.20296,
             {0.948308, 0.889487, 1.95965}),
+        row(0.145, 12300, 0.00165, exponential_friction({0.0875, 0.6}), 0.0218,
+            {0.173, 0.00752, 121000}),
         braking}) {
     const CoupledSolution x = solve(scene, {Quantity::traction, asked}, 1e-6);
     const CoupledSolution finer = solve(scene, {Quantity::traction, asked}, 9e-8);
