@@ -1180,7 +1180,7 @@ local function chunk_box(piece, open)
       local html = ' <a href="#%s" aria-label="%s">%s</a>'
       return other and html:format(anchor(other), label, sign) or ""
     end
-    parts = string.format('<span class="part">%spart %d of %d%s%s</span>',
+    parts = string.format('<span>%spart %d of %d%s%s</span>',
       chunk.of_parts and chunk.html .. " += " or "", piece.part, #chunk.pieces,
       step(chunk.pieces[piece.part - 1], "↑", "previous"),
       step(chunk.pieces[piece.part + 1], "↓", "next"))
