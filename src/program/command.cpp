@@ -85,13 +85,13 @@ bool is_key(const CLI::App& command, const std::string& name) {
 std::string key_meant(const CLI::App* command, const CLI::App& solve, const std::string& name) {
   if (name.find_first_of(":{") != std::string::npos) return " (a line is NAME = VALUE)";
   if (command == nullptr) return "";
-  if (is_key(solve, name)) return " (a section [solve] may have it)";
   std::vector<std::string> keys;
   for (const CLI::Option* option : command->get_options())
     if (const std::string key = option->get_name().substr(2); is_key(*command, key))
       keys.push_back(key);
   const std::string key = nearest(name, keys), place = instead_of("--" + name);
   if (!place.empty()) return " (" + place + ")";
+  if (is_key(solve, name)) return " (a section [solve] may have it)";
   return key.empty() ? "" : " (did you mean " + key + "?)";
 }
 

@@ -335,8 +335,9 @@ std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, dou
     return "";
   }
   const double end = lost.empty() ? to : trial.found.first_lost;
-  const double coarsest = from < 1 ? 0.03 : 0.1;
-  const double least = coarse ? coarsest : lost.empty() ? 3e-4 : 0.01;
+  const bool all_slips = from >= 1;
+  const double of_grid = all_slips ? 0.1 : 0.03, of_loss = all_slips ? 5e-3 : 3e-4;
+  const double least = coarse ? of_grid : lost.empty() ? 3e-4 : of_loss;
   if (end - from < least * (2 - from)) return lost.empty() ? not_resolved : lost;
   const double middle = place_to_divide(x.curve, trial, std::min(grid->n, 40), from, end);
   const LawGrid* coarser = std::max(grid - 1, law_grids.data());

@@ -459,8 +459,8 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                           : "steel melts there with all heat in one body: two steel bodies are "
                             "about half as hot";
   const char* of_gamma =
-      "is the modulus that of shear and of both bodies, and are expansion and diffusivity and "
-      "conductivity in SI units?";
+      "is the modulus that of shear, and are expansion and diffusivity and conductivity in SI "
+      "units?";
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
   const double gamma = of_half_space(si), gamma_2 = of_cylinder(si);
   const Limit limits[] = {
@@ -475,7 +475,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
        si.law ? "is it a ratio and no percentage, and does its law hold at such temperatures?"
               : "is it a ratio and no percentage?"},
       {"grueneisen", gamma, 3, "solids have 0.5 to 2", of_gamma},
-      {"grueneisen_2", gamma_2 == gamma ? 0 : gamma_2, 3, "solids have 0.5 to 2", of_gamma},
+      {"grueneisen_2", gamma_2 == gamma ? 0 : gamma_2, 30, "solids have 0.5 to 2", of_gamma},
       {"speed", si.speed, 300, "a tenth of that of sound in steel", "is it in m/s or in mm/s?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};
