@@ -372,6 +372,13 @@ bool follow(CreepCurve& curve, const Highest& coarse, Highest& top, Points& poin
   return inside;
 }
 
+/// The part that holds with a law, for all results but that creep.
+Results parts(const Highest& top, const Results& change_before, double part) {
+  Results all = Results::Constant(part);
+  if (needs_more_points(top) && (change_before == 0).all()) all(creep) = std::max(part, 2.0);
+  return all;
+}
+
 /// None if a range of creeps has the largest traction. Errors may be above the tolerance on the
 /// finest grid, that of the creep thrice so at high speed, and next to a corner of the curve. An
 /// unknown error is infinite. The curve and its maximum become those of the last grid.
@@ -396,14 +403,12 @@ std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance,
     change = (now - last).abs();
     const GridSolution& near = points[0].solution;
     const bool kinked = std::any_of(points.begin(), points.end(), has_kinks);
-    const double part = kinked ? 2 : part_with_law(level.h, near.h);
+    const Results part = parts(top, change_before, kinked ? 2 : part_with_law(level.h, near.h));
     if (kinked || exact) change = change.max(change_before / 8);
     const Results of_place = error_of_place(top, points, top.rho - before);
     const Results scale = scale_in(curve.scene, now);
     Results error = part * change + of_place + of_side + error_of_law(top, points, scale);
     error(creep) = (exact || tail(near.h) > 1e-3 ? 2 : 1) * error_of_creep(now, error, scale);
-    const bool by_one_change = needs_more_points(top) && (change_before == 0).all();
-    if (by_one_change) error(creep) = std::max(error(creep), 2 * change(creep));
     const bool resolved = n > 48 || (kinked ? alone : !decays_slowly(level.h, near.h));
     const bool known = resolved && inside && !range && error.isFinite().all();
     const double worst = worst_of(error, scale, n, kinked);
