@@ -351,9 +351,8 @@ build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.h
     $(wildcard figures/measured/*.csv tests/*/*.cpp tests/*/*.sh tests/*/*.py tests/*/CMakeLists.txt) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M date=,$(date)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
-	@sed 's/<tr class="[a-z]*">/<tr>/' $@.tmp >$@.rows.tmp # no rule of the style is for odd rows
-	@rm $@.tmp
-	@mv $@.rows.tmp $@
+	@sed -i 's/<tr class="[a-z]*">/<tr>/' $@.tmp # no rule of the style is for odd rows
+	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)
 ## draft: write CHAPTER=12 of the report alone to build/draft.html, with the data and figures that are there

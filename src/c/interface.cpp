@@ -68,7 +68,7 @@ void read_roller(const thermoroll_scene& x, PhysicalScene& si) {
     require(x.conductivity_2 > 0, "conductivity_2", x.conductivity_2, "positive");
     si.expansion_2 = x.expansion_2;
     si.conductivity_2 = x.conductivity_2;
-    si.diffusivity_2 = x.diffusivity_2 == 0 ? x.diffusivity : x.diffusivity_2;
+    si.diffusivity_2 = x.diffusivity_2;
     return;
   }
   refuse_unused({x.expansion_2, x.conductivity_2, x.diffusivity_2},

@@ -10,6 +10,10 @@ namespace thermoroll {
 
 PhysicalScene wheel_on_rail() { return {1.2e7, 22.2, 5.5e-3, 8.1e10, 0.3, 1.1e-5, 1.4e-5, 50}; }
 
+double diffusivity_2(const PhysicalScene& si) {
+  return si.diffusivity_2 > 0 ? si.diffusivity_2 : si.diffusivity;
+}
+
 Scene scene_of(const PhysicalScene& si, double friction) {
   const double peclet = si.speed * si.half_width / (2 * si.diffusivity);
   const auto heating = [&](double expansion, double diffusivity, double conductivity) {
@@ -17,7 +21,7 @@ Scene scene_of(const PhysicalScene& si, double friction) {
            (si.half_width * conductivity);
   };
   Scene scene{friction, peclet, heating(si.expansion, si.diffusivity, si.conductivity)};
-  const double other = si.diffusivity_2 > 0 ? si.diffusivity_2 : si.diffusivity;
+  const double other = diffusivity_2(si);
   if (si.conductivity_2 > 0)
     scene.roller = {si.conductivity_2 / si.conductivity,
                     heating(si.expansion_2, other, si.conductivity_2),

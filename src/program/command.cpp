@@ -202,9 +202,6 @@ void say_idle_floor(const Solution& x) {
   if (law != nullptr && law->of.scale < 0 && law->of.floor > 0)
     std::fputs("thermoroll: note: --friction-floor makes no difference to friction that rises\n",
                stderr);
-  if (law == nullptr || law->of.floor != 1 || law->of.scale < 0) return;
-  std::fprintf(stderr,
-               "thermoroll: note: with --friction-floor 1 the law does not change the friction\n");
 }
 
 void print_notes(const std::vector<std::string>& notes) {

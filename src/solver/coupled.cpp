@@ -52,14 +52,14 @@ bool is_of_flux(const Scene& scene, int n, double tail) {
   return scene.bulk_difference == 0 && (unevenness(scene) < 1.5 || n < 30 || tail > 0.01);
 }
 
-double error_of_crossing_flux(const GridSolution& level) {
+double least_error_of_crossing_heat(const GridSolution& level) {
   const auto more = static_cast<double>(level.h.size()) - 15;
   return level.at.stick == 0 ? 2.5e-4 * std::exp(-0.3 * more) : 2e-4 * std::exp(-0.6 * more);
 }
 
 double layer_of_coarse_grid(const Scene& scene, const GridSolution& level, double flat_tail) {
   const auto n = static_cast<double>(level.h.size());
-  const double of_flux = error_of_crossing_flux(level);
+  const double of_flux = least_error_of_crossing_heat(level);
   return scene.bulk_difference == 0 ? std::max(of_flux, flat_tail / (n * n)) : of_flux;
 }
 

@@ -417,17 +417,23 @@ std::string end_of_partial_slip(LawHalf& half, const std::string& reason) {
   return turns_back;
 }
 
-/// Whether full slip is the same to the tolerance where partial slip ends; if so, last is there.
-bool slips_on(HalfInTheMaking& x, double tolerance, LawPoint& last) {
-  if (x.half.pieces.empty()) return false;
+/// The contact in full slip at the creep where partial slip ends; nothing if there is none.
+std::optional<LawPoint> full_slip_at_the_end(HalfInTheMaking& x, double tolerance) {
   x.curve.all_slips = x.curve.rest.creep + x.half.unit_creep;
   LawPoint slips;
   slips.at.value(Quantity::creep) = x.curve.rest.creep;
-  if (!go_on(x.curve, tolerance, 1, slips).empty()) return false;
-  const LawErrors jump = missed(x.half.pieces.back(), true, stored(x, true, 1, slips.at));
+  return go_on(x.curve, tolerance, 1, slips).empty() ? std::optional(slips) : std::nullopt;
+}
+
+/// Whether it is the same to the tolerance as the last piece; if so, last is there.
+bool slips_on(HalfInTheMaking& x, double tolerance, LawPoint& last) {
+  if (x.half.pieces.empty()) return false;
+  const auto slips = full_slip_at_the_end(x, tolerance);
+  if (!slips) return false;
+  const LawErrors jump = missed(x.half.pieces.back(), true, stored(x, true, 1, slips->at));
   if ((jump > x.tolerance).any()) return false;
   x.error = x.error.max(jump);
-  last = slips;
+  last = *slips;
   return true;
 }
 
@@ -455,15 +461,15 @@ LawErrors change_before(HalfInTheMaking& x, int n, double first) {
 std::optional<LawPoint> end_before_full_slip(HalfInTheMaking x, double tolerance) {
   const double stick = std::min(0.004, x.tolerance(2) / 3), w = std::sqrt(1 - stick / 2);
   const double unit = x.half.unit_creep, without = x.curve.rest.creep;
-  LawPoint end, slips;
-  end.at.value(Quantity::creep) = slips.at.value(Quantity::creep) = without;
+  LawPoint end;
+  end.at.value(Quantity::creep) = without;
   if (!go_on(x.curve, tolerance, w, end).empty()) return std::nullopt;
-  x.curve.all_slips = end.at.value(Quantity::creep);
-  x.half.unit_creep = x.curve.all_slips - without;
+  x.half.unit_creep = end.at.value(Quantity::creep) - without;
   const bool slowly = std::sqrt(x.half.unit_creep / unit) < 1 - 4 * (1 - w);
-  if (!slowly || !go_on(x.curve, tolerance, 1, slips).empty()) return std::nullopt;
+  const auto slips = slowly ? full_slip_at_the_end(x, tolerance) : std::nullopt;
+  if (!slips) return std::nullopt;
   const Stored sticks = stored(x, true, 1, end.at);
-  const LawErrors jump = sticks.value - stored(x, true, 1, slips.at).value;
+  const LawErrors jump = sticks.value - stored(x, true, 1, slips->at).value;
   const bool same = (errors_of(jump, true, sticks) <= x.tolerance).all();
   return same ? std::optional(end) : std::nullopt;
 }

@@ -436,14 +436,14 @@ double largest_friction(const Solution& x) {
   return scene.friction * std::max(1.0, scene.law(x.value(max_temperature)).value);
 }
 
-double of_half_space(const PhysicalScene& si) {
+double grueneisen_1(const PhysicalScene& si) {
   return grueneisen(si.conductivity / si.diffusivity, si.expansion, si.shear_modulus, si.poisson);
 }
 
-double of_cylinder(const PhysicalScene& si) {
+double grueneisen_2(const PhysicalScene& si) {
   if (!(si.expansion_2 > 0)) return 0;
-  const double diffusivity = si.diffusivity_2 > 0 ? si.diffusivity_2 : si.diffusivity;
-  return grueneisen(si.conductivity_2 / diffusivity, si.expansion_2, si.shear_modulus, si.poisson);
+  const double capacity = si.conductivity_2 / diffusivity_2(si);
+  return grueneisen(capacity, si.expansion_2, si.shear_modulus, si.poisson);
 }
 
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
@@ -462,7 +462,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       "is the modulus that of shear, and are expansion and diffusivity and conductivity in SI "
       "units?";
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
-  const double gamma = of_half_space(si), gamma_2 = of_cylinder(si);
+  const double gamma = grueneisen_1(si), gamma_2 = grueneisen_2(si);
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
        units},
@@ -554,8 +554,10 @@ FoundPeaks peaks(const Solution& x) {
 std::string note_on_constant_friction(const Solution& x) {
   const auto* law = x.scene.law.target<LawOfFriction>();
   const double hottest = x.value(max_temperature);
-  if (law == nullptr || !(hottest > 0) || law->of.floor == 1) return "";
+  if (law == nullptr) return "";
   const std::string note = "friction does not change ";
+  if (law->of.scale > 0 && law->of.floor == 1) return note + "(its floor is all of it)";
+  if (!(hottest > 0)) return "";
   const double most = (*law)(std::min(0.0, x.scene.bulk_difference)).value;
   if (hottest <= law->of.reference)
     return note + "(the contact is nowhere as hot as its reference temperature)";

@@ -534,13 +534,18 @@ TEST(CreepLaw, TemperatureIsThatOfTheSolution) {
   }
 }
 
-// A polynomial of the temperature may be below zero by its error, where the temperature is zero.
+// A polynomial of the temperature may be below zero by its error, where the temperature is zero,
+// and the border beyond the edge.
 TEST(CreepLaw, TemperatureIsNeverBelowZero) {
   CreepLaw law = law_of(hot());
   for (LawHalf* half : {&law.driving, &law.braking})
-    for (auto& piece : half->pieces) piece.temperature.front() -= 1;
+    for (auto& piece : half->pieces) {
+      piece.temperature.front() -= 1;
+      piece.slip_length.front() += 100;
+    }
   for (const double creep : {-3.0, -0.1, -1e-9, 1e-9, 0.1, 3.0})
     EXPECT_EQ(evaluate(law, creep)->temperature, 0) << creep;
+  for (const double creep : {-0.1, 0.1, 3.0}) EXPECT_EQ(evaluate(law, creep)->border, -1) << creep;
 }
 
 TEST(CreepLaw, HasNoValueBeyondItsEnd) {

@@ -99,6 +99,9 @@ struct Units {
   std::optional<double> bulk_temperature{};  ///< to which rises add, degree C, if it is known
 };
 
+/// The diffusivity of the cylinder, m^2/s: its own, or that of the half-space.
+double diffusivity_2(const PhysicalScene& si);
+
 /// The dimensionless groups of a scene, @eq:groups.
 Scene scene_of(const PhysicalScene& si, double friction);
 
