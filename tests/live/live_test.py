@@ -355,6 +355,7 @@ def RefusalsAreSentences():
         assert "The traction is at most 0." in story(browser), story(browser)
         browser.run(f"window.thermoroll.begin_at({LARGE}).change({{ direction: 'braking' }})")
         browser.wait(f"{LARGE}.querySelector('.live-story').textContent.includes('The traction is at least −0.')")
+        browser.wait(f"{LARGE}.querySelector('.live-links code').textContent.includes('--traction -0.18')")
         table = browser.run(LARGE + ".querySelector('a[download]').getAttribute('href')")
         rows = list(csv.DictReader(io.StringIO(urllib.parse.unquote(table).split(",", 1)[1].split("\n\n")[0])))
         assert min(float(row["traction"]) for row in rows) < -0.1 and max(float(row["traction"]) for row in rows) <= 0, rows
