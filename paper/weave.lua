@@ -1128,7 +1128,7 @@ local function piece_code(piece)
   if piece.shown then return piece.shown end
   local out, run = {}, {}
   local function flush()
-    if #run > 0 then table.insert(out, "<pre><code>" .. table.concat(run, "\n") .. "\n</code></pre>") end
+    if #run > 0 then table.insert(out, "<pre>" .. table.concat(run, "\n") .. "\n</pre>") end
     run = {}
   end
   for k, line in ipairs(piece.code) do
@@ -1283,7 +1283,7 @@ local function code_block(block)
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
   local html = table.concat(highlighted(lines, block.classes[1] or "", coloured), "\n")
-  return raw('<div class="code listing"><pre><code>' .. html .. "</code></pre></div>")
+  return raw('<div class="code listing"><pre>' .. html .. "</pre></div>")
 end
 
 -- 8. The tests' names, quietly ----------------------------------------------------------------------
@@ -1317,7 +1317,7 @@ end
 
 local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
-    .. '<span class="note">%s</span></summary>\n<div class="code"><pre><code>%s\n</code></pre></div>'
+    .. '<span class="note">%s</span></summary>\n<div class="code"><pre>%s\n</pre></div>'
     .. "</details>", escape(id), title, note, table.concat(html, "\n")))
 end
 
@@ -1384,7 +1384,7 @@ local function listed_tests(names, tests)
     table.insert(lines, string.format('<i id="test:%s">%s %sctest --test-dir build/release -R %s</i>', name, mark, where_it_is, name))
     table.insert(lines, (escape(test_text(test)):gsub("\n+$", "\n"):gsub("&quot;", '"'):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")))
   end
-  return '<div class="code"><pre><code>' .. table.concat(lines, "\n") .. "</code></pre></div>"
+  return '<div class="code"><pre>' .. table.concat(lines, "\n") .. "</pre></div>"
 end
 
 --- Each test stands folded where a paragraph names it first; where it is named again, there or in a table, a

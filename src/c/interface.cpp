@@ -172,16 +172,13 @@ void copy(const Results& from, thermoroll_values& to) {
   std::memcpy(&to, from.data(), offsetof(thermoroll_values, heat_1));
 }
 
-void share_heat(const Scene& scene, const CoupledSolution* found, thermoroll_result& to) {
-  const double heat = to.value.heat_integral, share = effusivity_share(scene);
-  to.value.heat_1 = share * heat;
-  to.value.heat_2 = effusivity_ratio(scene) * to.value.heat_1;
-  to.error.heat_1 = share * to.error.heat_integral;
-  to.error.heat_2 = effusivity_ratio(scene) * to.error.heat_1;
-  if (found == nullptr || !found->crossing) return;
-  to.value.heat_1 = heat_share(scene) * heat + found->crossing->heat;
-  to.value.heat_2 = heat - to.value.heat_1;
-  to.error.heat_1 = to.error.heat_2 = to.error.heat_integral + found->crossing->heat_error;
+void share_heat(const Solution& x, thermoroll_result& to) {
+  const Heats heat = heats(x);
+  to.value.heat_1 = heat.into_half_space.value;
+  to.value.heat_2 = heat.into_cylinder.value;
+  if (!x.error) return;
+  to.error.heat_1 = heat.into_half_space.error;
+  to.error.heat_2 = heat.into_cylinder.error;
 }
 
 void tell_limit(const Scene& scene, const CoupledSolution* found, thermoroll_result& to) {
@@ -219,13 +216,19 @@ thermoroll_result empty_result() {
 }
 
 void copy(const PhysicalResults& from, thermoroll_physical& to) {
-  static_assert(offsetof(thermoroll_physical, contact_temperature_celsius) == sizeof from);
+  static_assert(offsetof(thermoroll_physical, heat_1) == sizeof from);
   std::memcpy(&to, &from, sizeof from);
 }
 
 void copy(const FoundInSi& from, thermoroll_result& to) {
   copy(from.value, to.physical);
-  if (from.error) copy(*from.error, to.physical_error);
+  to.physical.heat_1 = from.heat_1.value;
+  to.physical.heat_2 = from.heat_2.value;
+  if (from.error) {
+    copy(*from.error, to.physical_error);
+    to.physical_error.heat_1 = from.heat_1.error;
+    to.physical_error.heat_2 = from.heat_2.error;
+  }
   if (!from.contact_temperature_celsius) return;
   to.physical.contact_temperature_celsius = *from.contact_temperature_celsius;
   to.physical_error.contact_temperature_celsius = to.physical_error.max_temperature_celsius;
@@ -266,7 +269,7 @@ thermoroll_result result_of(const SolvedScene& solved) {
   const auto* found = std::get_if<CoupledSolution>(&x.found);
   copy(x.value, to.value);
   if (x.error) copy(*x.error, to.error);
-  share_heat(x.scene, found, to);
+  share_heat(x, to);
   tell_limit(x.scene, found, to);
   if (x.model) to.model = static_cast<int32_t>(*x.model);
   if (x.model == Model::coupled) to.unknowns = found->unknowns;
@@ -344,6 +347,7 @@ void for_each_row(std::size_t count, int threads, const Work& work) {
 
 void copy(const Profile& from, double friction, thermoroll_point* to) {
   const bool shared = from.heat_flux_1.size() > 0;
+  const ProfileErrors& error = *from.error;
   for (Eigen::Index k = 0; k < from.s.size(); ++k)
     to[k] = {sizeof *to,
              THERMOROLL_DONE,
@@ -356,8 +360,12 @@ void copy(const Profile& from, double friction, thermoroll_point* to) {
              shared ? from.heat_flux_1(k) : from.heat_flux(k),
              shared ? from.heat_flux_2(k) : 0,
              0,
-             std::nan(""),
-             from.friction.size() > 0 ? from.friction(k) : friction};
+             error.temperature,
+             from.friction.size() > 0 ? from.friction(k) : friction,
+             error.pressure,
+             error.traction,
+             error.slip,
+             error.heat_flux};
 }
 
 thermoroll_result along_contact(const thermoroll_scene& scene, thermoroll_point* points,
@@ -392,7 +400,8 @@ std::vector<CurvePoint> temperatures_of(const Solution& x, const thermoroll_poin
 thermoroll_point empty_point(double s, double depth) {
   const double none = std::nan("");
   constexpr std::uint32_t size = sizeof(thermoroll_point);
-  return {size, 0, s, none, none, none, none, none, none, none, depth, none, none};
+  return {size, 0,     s,    none, none, none, none, none, none,
+          none, depth, none, none, none, none, none, none};
 }
 
 thermoroll_result where_given(const thermoroll_scene& scene, thermoroll_point* points,

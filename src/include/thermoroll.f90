@@ -47,7 +47,8 @@ module thermoroll
   type, bind(c) :: thermoroll_physical
     real(c_double) :: half_width, radius, creep_ratio, hertz_pressure, max_pressure, max_traction
     real(c_double) :: max_heat_flux, max_temperature_celsius, half_width_over_radius, dissipation
-    real(c_double) :: tangential_load, max_temperature_at_m, contact_temperature_celsius
+    real(c_double) :: tangential_load, max_temperature_at_m, heat_1, heat_2
+    real(c_double) :: contact_temperature_celsius
   end type
   type, bind(c) :: thermoroll_units
     real(c_double) :: length, traction, slip, heat_flux, temperature
@@ -64,6 +65,7 @@ module thermoroll
     integer(c_int32_t) :: size, status
     real(c_double) :: s, pressure, traction, slip, heat_flux, temperature, heat_flux_1, heat_flux_2
     real(c_double) :: depth, temperature_error, friction
+    real(c_double) :: pressure_error, traction_error, slip_error, heat_flux_error
   end type
   type, bind(c) :: thermoroll_law_info
     integer(c_int32_t) :: size, status

@@ -121,6 +121,7 @@ struct thermoroll_physical {
   double dissipation;                   ///< power lost to friction per unit length, W/m
   double tangential_load;               ///< Q, N/m, negative when braking
   double max_temperature_at_m;          ///< x of the hottest point, m
+  double heat_1, heat_2;                ///< the heat into the half-space; into the roller; W/m
   double contact_temperature_celsius;   ///< bulk temperature and largest rise, or NaN; degree C
 };
 
@@ -159,8 +160,9 @@ struct thermoroll_point {
   double temperature;               ///< T*, over the bulk temperature
   double heat_flux_1, heat_flux_2;  ///< into the half-space; into the roller
   double depth;                     ///< y / a in the half-space: 0 along the contact; any >= 0
-  double temperature_error;         ///< estimated, absolute, of places as given; else NaN
+  double temperature_error;         ///< estimated, absolute; along the contact the largest
   double friction;                  ///< the coefficient at T*: f, or that of a law
+  double pressure_error, traction_error, slip_error, heat_flux_error;  ///< likewise
 };
 
 /// The law of all creeps of a scene.

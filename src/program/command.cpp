@@ -599,8 +599,8 @@ void add_solve(CLI::App& program, Options& o) {
   add_format(command, o);
   command
       .add_option("--profile", o.profile,
-                  "write s, p*, q*, v*, heat flux and T* to this file, and f of a law; s from -1, "
-                  "where the surfaces enter the contact, to 1")
+                  "write s, p*, q*, v*, heat flux and T* to this file, f of a law, and the largest "
+                  "error of each; s from -1, where the surfaces enter the contact, to 1")
       ->type_name("FILE")
       ->check(file_name("profile"));
   command

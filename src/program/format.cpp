@@ -63,29 +63,29 @@ json to_json(const Object& values) {
   return o;
 }
 
-void share_heat(Object& o, const Scene& scene, const Results& x) {
-  const double heat = effusivity_share(scene) * x(Quantity::heat_integral);
-  o["heat_1"] = heat;
-  o["heat_2"] = effusivity_ratio(scene) * heat;
+void add_heats(Object& o, Object* error, const Solution& x) {
+  const Heats heat = heats(x);
+  const auto* coupled = std::get_if<CoupledSolution>(&x.found);
+  const bool crosses = coupled != nullptr && coupled->crossing;
+  const double share = heat.into_half_space.value / x.value(Quantity::heat_integral);
+  const bool insulated = x.scene.roller.conductivity_ratio == 0;
+  const auto tell = [&](const char* key, const Estimate& found) {
+    o[key] = found.value;
+    if (error != nullptr) (*error)[key] = found.error;
+  };
+  tell("heat_1", heat.into_half_space);
+  tell("heat_2", heat.into_cylinder);
+  o["heat_partition"] = crosses ? json(share) : json(effusivity_share(x.scene));
+  if (x.scene.bulk_difference != 0) o["heat_partition"] = nullptr;
+  tell("exchanged_heat", heat.exchanged);
+  if (!insulated) return;
+  o["exchanged_heat"] = nullptr;
+  if (error != nullptr) (*error)["exchanged_heat"] = nullptr;
 }
 
-void share_heat_with(const CrossingHeat& crossing, Object& o, Object& error, const Solution& x) {
-  const double heat = x.value(Quantity::heat_integral), bulk = x.scene.bulk_difference;
-  const double heat_1 = heat_share(x.scene) * heat + crossing.heat;
-  const double left = (*x.error)(Quantity::heat_integral) + crossing.heat_error;
-  o["heat_1"] = heat_1;
-  o["heat_2"] = heat - heat_1;
-  o["heat_partition"] = bulk == 0 ? json(heat_1 / heat) : json();
-  error["heat_1"] = left;
-  error["heat_2"] = left;
-}
-
-void add_exchange(Object& o, Object* error, const Solution& x) {
+void add_no_slip(Object& o, Object* error, const Solution& x) {
   const Scene& scene = x.scene;
-  const bool insulated = scene.roller.conductivity_ratio == 0, bulk = scene.bulk_difference != 0;
-  const double uniform = heat_share(scene) * x.value(Quantity::heat_integral);
-  o["exchanged_heat"] = insulated ? json() : json(o["heat_1"].get<double>() - uniform);
-  if (error != nullptr) (*error)["exchanged_heat"] = insulated ? json() : (*error)["heat_1"];
+  const bool bulk = scene.bulk_difference != 0;
   const NoSlip still = bulk ? no_slip(scene, x.approach.tolerance) : NoSlip{};
   const auto tell = [&](const char* key, double value, double left) {
     o[key] = bulk ? json(value) : json();
@@ -137,6 +137,12 @@ struct OptionalRow {
   std::optional<Estimate> found;
 };
 
+std::array<OptionalRow, 3> heat_rows(const FoundInSi& x) {
+  return {{{"heat_1", "W/m", x.heat_1},
+           {"heat_2", "W/m", x.heat_2},
+           {"exchanged_heat", "W/m", x.exchanged_heat}}};
+}
+
 std::array<OptionalRow, 3> optional_rows(const FoundInSi& x) {
   std::optional<Estimate> contact;
   const double error = x.error ? x.error->max_temperature_celsius : 0;
@@ -158,10 +164,11 @@ void add(Object& o, const Results& values) {
 void add_physical(Object& o, Object& error, const FoundInSi& physical) {
   add(o, physical_rows, physical.value);
   if (physical.error) add(error, physical_rows, *physical.error);
-  for (const auto& [name, unit, found] : optional_rows(physical)) {
-    o[name] = found ? json(found->value) : json();
-    if (physical.error) error[name] = found ? json(found->error) : json();
-  }
+  for (const auto& rows : {heat_rows(physical), optional_rows(physical)})
+    for (const auto& [name, unit, found] : rows) {
+      o[name] = found ? json(found->value) : json();
+      if (physical.error) error[name] = found ? json(found->error) : json();
+    }
 }
 
 /// The values and errors of a solution by their keys; the errors are empty where none are known.
@@ -198,13 +205,11 @@ Told told_of(const Solution& x, const std::optional<FoundInSi>& physical) {
   const auto* coupled = std::get_if<CoupledSolution>(&x.found);
   describe_law(o, x.scene, coupled);
   add(o, x.value);
-  share_heat(o, x.scene, x.value);
-  if (x.error) share_heat(error, x.scene, *x.error);
-  o["heat_partition"] = effusivity_share(x.scene);
-  if (coupled != nullptr && coupled->crossing) share_heat_with(*coupled->crossing, o, error, x);
-  add_exchange(o, x.error ? &error : nullptr, x);
+  Object* const errors = x.error ? &error : nullptr;
+  add_heats(o, errors, x);
+  add_no_slip(o, errors, x);
   o["full_slip"] = all_slips(x);
-  add_limits(o, x.error ? &error : nullptr, x);
+  add_limits(o, errors, x);
   o["outer_iterations"] = scheme ? scheme->outer_iterations : 0;
   o["inner_iterations"] = scheme ? scheme->inner_iterations : 0;
   o["unknowns"] = coupled ? json(coupled->unknowns) : json();
@@ -316,8 +321,36 @@ std::optional<double> absolute(double temperature, const std::optional<Units>& u
 struct ProfileColumn {
   const char *name, *si_name;
   const Eigen::ArrayXd& values;
-  double unit;
+  double unit, error = 0;
 };
+
+std::vector<ProfileColumn> profile_columns(const Profile& x, const Units& unit) {
+  const ProfileErrors& error = *x.error;
+  std::vector<ProfileColumn> columns = {
+      {"pressure", "pressure_pa", x.pressure, unit.traction, error.pressure},
+      {"traction", "traction_pa", x.traction, unit.traction, error.traction},
+      {"slip", "slip_m_per_s", x.slip, unit.slip, error.slip},
+      {"heat_flux", "heat_flux_w_per_m2", x.heat_flux, unit.heat_flux, error.heat_flux},
+      {"temperature", "temperature_celsius", x.temperature, unit.temperature, error.temperature}};
+  if (x.heat_flux_1.size() == 0) return columns;
+  columns.push_back({"heat_flux_1", "heat_flux_1_w_per_m2", x.heat_flux_1, unit.heat_flux});
+  columns.push_back({"heat_flux_2", "heat_flux_2_w_per_m2", x.heat_flux_2, unit.heat_flux});
+  return columns;
+}
+
+/// A column and a cell for each error, with those in units.
+Field errors_of(const std::vector<ProfileColumn>& columns, bool in_si) {
+  Field all;
+  const auto add = [&](const std::string& name, double error) {
+    all.name += ",error_estimate." + name;
+    all.cell += ',' + (std::isfinite(error) ? shortest(error) : "");
+  };
+  for (std::size_t i = 0; i < 5; ++i) {
+    add(columns[i].name, columns[i].error);
+    if (in_si) add(columns[i].si_name, columns[i].error * columns[i].unit);
+  }
+  return all;
+}
 
 using Table = std::vector<std::vector<std::string>>;
 
@@ -377,18 +410,17 @@ void add_physical(Table& table, const FoundInSi& physical) {
 }
 
 void add_heats(Table& table, const json& o, const std::optional<FoundInSi>& physical) {
-  const double unit = physical ? physical->heat_unit : 1;
-  const bool sized = physical && physical->error;
-  const double of_size = sized ? 2 * physical->error->half_width / physical->value.half_width : 0;
+  if (physical) {
+    for (const auto& [name, unit, found] : heat_rows(*physical))
+      if (found) add_row(table, {name, "", found->value, found->error, 6, unit});
+    return;
+  }
   const json& errors = o["error_estimate"];
   std::vector<const char*> names{"heat_1", "heat_2"};
   if (o["bulk_difference"] != 0) names.push_back("exchanged_heat");
   for (const char* name : names) {
-    const double heat = unit * o[name].get<double>();
-    const double own = errors.is_null() ? 0 : errors[name].get<double>();
-    const int significant = physical || errors.is_null() ? 6 : 9;
-    add_row(table, {name, "", heat, unit * own + of_size * std::abs(heat), significant,
-                    physical ? "W/m" : ""});
+    const double error = errors.is_null() ? 0 : errors[name].get<double>();
+    add_row(table, {name, "", o[name], error, errors.is_null() ? 6 : 9, ""});
   }
 }
 
@@ -474,8 +506,9 @@ ColumnMeaning meaning_of(const std::string& column) {
   const bool physical = column.find("physical.") == 0, error = name != column && !physical;
   for (const auto& row : physical_rows)
     if (physical && name == row.name) return {row.symbol, *row.unit == 0 ? "1" : row.unit};
-  for (const OptionalRow& row : optional_rows({}))
-    if (physical && name == row.name) return {"", *row.unit == 0 ? "1" : row.unit};
+  for (const auto& rows : {heat_rows({}), optional_rows({})})
+    for (const OptionalRow& row : rows)
+      if (physical && name == row.name) return {"", *row.unit == 0 ? "1" : row.unit};
   for (const Reported& row : reported)
     if (name == row.key) return {error ? "" : row.symbol, "1"};
   return {"", "1"};
@@ -532,27 +565,21 @@ std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional
 
 std::string profile_csv(const Profile& x, const std::optional<Units>& units) {
   const Units unit = units.value_or(Units{});
-  std::vector<ProfileColumn> columns = {
-      {"pressure", "pressure_pa", x.pressure, unit.traction},
-      {"traction", "traction_pa", x.traction, unit.traction},
-      {"slip", "slip_m_per_s", x.slip, unit.slip},
-      {"heat_flux", "heat_flux_w_per_m2", x.heat_flux, unit.heat_flux},
-      {"temperature", "temperature_celsius", x.temperature, unit.temperature}};
-  if (x.heat_flux_1.size() > 0) {
-    columns.push_back({"heat_flux_1", "heat_flux_1_w_per_m2", x.heat_flux_1, unit.heat_flux});
-    columns.push_back({"heat_flux_2", "heat_flux_2_w_per_m2", x.heat_flux_2, unit.heat_flux});
-  }
+  const std::vector<ProfileColumn> columns = profile_columns(x, unit);
+  const Field errors = errors_of(columns, units.has_value());
   std::string text = units ? "s,x_m" : "s";
   for (const ProfileColumn& c : columns)
     text.append(",").append(c.name).append(units ? std::string(",") + c.si_name : "");
   if (absolute(0, units)) text += ",absolute_temperature_celsius";
   if (x.friction.size() > 0) text += ",friction";
+  text += errors.name;
   for (Eigen::Index i = 0; i < x.s.size(); ++i) {
     text += '\n' + shortest(x.s(i)) + (units ? ',' + shortest(x.s(i) * unit.length) : "");
     for (const ProfileColumn& c : columns)
       text += ',' + shortest(c.values(i)) + (units ? ',' + shortest(c.values(i) * c.unit) : "");
     if (const auto whole = absolute(x.temperature(i), units)) text += ',' + shortest(*whole);
     if (x.friction.size() > 0) text += ',' + shortest(x.friction(i));
+    text += errors.cell;
   }
   return text + '\n';
 }

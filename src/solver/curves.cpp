@@ -62,4 +62,15 @@ Profile profile_at(const CoupledSolution& x, const PlotPoints& at) {
   return y;
 }
 
+Eigen::ArrayXd stick_places(const Eigen::ArrayXd& x, const SmoothTractions& from,
+                            const SmoothTractions& to) {
+  if (from.layer == to.layer || from.stick == 0) return x;
+  const auto theta = [&](const SmoothTractions& by) {
+    return std::min(1.0, std::sqrt(std::min(by.slip, by.layer) / by.stick));
+  };
+  const double here = theta(from), there = theta(to);
+  const Eigen::ArrayXd q = here * ((1 + x) / 2 * std::log1p(1 / here)).expm1();
+  return 2 * (q / there).log1p() / std::log1p(1 / there) - 1;
+}
+
 }  // namespace thermoroll

@@ -17,6 +17,10 @@ struct Curves {
 /// The curves at -1 <= x <= 1, the variable of each zone, at -1 of which is the border.
 Curves curves_at(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction);
 
+/// The variables x of one stick zone as those of another grid, at the same places.
+Eigen::ArrayXd stick_places(const Eigen::ArrayXd& x, const SmoothTractions& from,
+                            const SmoothTractions& to);
+
 /// Points in the variables of @lst:curves-code: those of the stick zone descend from the leading
 /// edge, without the border, and those of the slip zone ascend.
 struct PlotPoints {

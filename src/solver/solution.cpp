@@ -234,6 +234,10 @@ double flux_error(const Solution& x) {
   return std::max((*x.error)(max_temperature) + missed, error_of_moved_flux(x));
 }
 
+Eigen::ArrayXd without_underflow(const Eigen::ArrayXd& x) {
+  return (x.abs() < std::numeric_limits<double>::min()).select(0, x);
+}
+
 /// How many intervals lie between the points in each zone.
 struct Intervals {
   Eigen::Index stick, slip;
@@ -264,49 +268,6 @@ PlotPoints plot_points(const CoupledSolution& x, int points) {
   const double border = stick == 0 ? -edge : -1;
   return {Eigen::ArrayXd::LinSpaced(of.stick + 1, edge, -1).head(of.stick),
           Eigen::ArrayXd::LinSpaced(of.slip + 1, border, edge)};
-}
-
-void share_heat_flux(const Solution& x, Profile& y) {
-  y.heat_flux_1 = heat_share(x.scene) * y.heat_flux;
-  if (const auto* found = std::get_if<CoupledSolution>(&x.found))
-    y.heat_flux_1 += exchanged_heat_flux(*found, y.s);
-  y.heat_flux_2 = y.heat_flux - y.heat_flux_1;
-}
-
-void add_friction(const Scene& scene, Profile& y) {
-  y.friction = y.temperature;
-  for (double& at : y.friction) at = scene.friction * scene.law(at).value;
-}
-
-void require_profile(const Solution& x) {
-  if (std::holds_alternative<PublishedSolution>(x.found))
-    throw std::invalid_argument(
-        "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
-        "temperature is infinite");
-}
-
-Profile finished(const Solution& x, Profile y) {
-  if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
-  if (x.scene.law) add_friction(x.scene, y);
-  if (x.scene.direction == Direction::braking) {
-    y.traction = 0 - y.traction;  // no zero becomes negative
-    y.slip = 0 - y.slip;
-  }
-  return y;
-}
-
-Profile carter_profile(const Scene& scene, const Carter& c, const Eigen::ArrayXd& s) {
-  Profile x{s, s, s, s, s, 0 * s};
-  if (c.slip_half_width > 0)
-    x.temperature =
-        heat_share(scene) * surface_curve(smooth_flux(c), Conduction(scene), s, 1e-9).temperature;
-  for (Eigen::Index i = 0; i < s.size(); ++i) {
-    x.pressure(i) = hertz_pressure(s(i));
-    x.traction(i) = carter_traction(c, s(i));
-    x.slip(i) = carter_slip(c, s(i));
-    x.heat_flux(i) = x.slip(i) * x.pressure(i);
-  }
-  return x;
 }
 
 Peaks carter_peaks(const Carter& c) {
@@ -377,8 +338,15 @@ Peaks largest_change(const SmoothTractions& from, const SmoothTractions& to, dou
           of(&Curves::slip_traction, &Curves::stick_traction), change(&Curves::heat_flux)};
 }
 
+int beside(int n) { return n > 320 ? 2 * n / 3 : 3 * n / 2; }
+
+double relative_error_of_heat(const Solution& x) {
+  const Results relative = *x.error / scale_in(x.scene, x.value);
+  return std::max(relative(heat_integral), relative(max_temperature));
+}
+
 FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
-  const int n = found.unknowns, other = n > 320 ? 2 * n / 3 : 3 * n / 2;
+  const int n = found.unknowns, other = beside(n);
   const double f = x.scene.friction, half = found.value(slip_length) / 2;
   CoupledSolution hot = found;
   hot.scene = x.scene;  // with heat, which the closed form leaves out
@@ -393,13 +361,92 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
     own = largest(by, f);
     if (!closed) beside = largest_change(by, changed_by, f);
   }
-  const Results relative = *x.error / scale_in(x.scene, x.value);
-  const double e = std::max(relative(heat_integral), relative(max_temperature));
+  const double e = relative_error_of_heat(x);
   const auto error = [&](double Peaks::*what) {
     return 2 * std::max(std::abs(changed.*what - own.*what), beside.*what) + e * own.*what;
   };
   const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
   return {better ? changed : own, errors};
+}
+
+/// From one set of series to another.
+ProfileErrors change_along(const SmoothTractions& from, const SmoothTractions& to,
+                           double friction) {
+  const Eigen::Index points = 4 * std::max(from.h.size(), from.bracket.size()) + 1;
+  const Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
+  const Curves a = curves_at(x, from, friction), b = curves_at(x, to, friction);
+  const Curves ahead = curves_at(stick_places(x, from, to), to, friction);
+  const auto of = [&](Eigen::ArrayXd Curves::*slip, Eigen::ArrayXd Curves::*stick) {
+    const double inside = from.stick > 0 ? (a.*stick - ahead.*stick).abs().maxCoeff() : 0;
+    return std::max((a.*slip - b.*slip).abs().maxCoeff(), inside);
+  };
+  return {of(&Curves::slip_pressure, &Curves::stick_pressure),
+          of(&Curves::slip_traction, &Curves::stick_traction), (a.slip - b.slip).abs().maxCoeff(),
+          (a.heat_flux - b.heat_flux).abs().maxCoeff(), 0};
+}
+
+/// Of a profile before it is turned round.
+ProfileErrors errors_along(const Solution& x, const Profile& y, const Curve& temperatures) {
+  double rounding = 8 * epsilon, hot = 0;
+  for (const CurvePoint& at : temperatures.points) hot = std::max(hot, *at.error);
+  ProfileErrors moved{};
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) {
+    CoupledSolution with_heat = *found;
+    with_heat.scene = x.scene;
+    const SmoothTractions own = smooth_tractions(*found, found->unknowns);
+    const SmoothTractions other = smooth_tractions(with_heat, beside(found->unknowns));
+    moved = change_along(own, other, x.scene.friction);
+    rounding = relative_error_of_heat(x);
+  }
+  const auto error = [&](double change, const Eigen::ArrayXd& curve) {
+    return 2 * change + rounding * curve.abs().maxCoeff();
+  };
+  return {error(moved.pressure, y.pressure), error(moved.traction, y.traction),
+          error(moved.slip, y.slip), error(moved.heat_flux, y.heat_flux), hot};
+}
+
+void share_heat_flux(const Solution& x, Profile& y) {
+  y.heat_flux_1 = heat_share(x.scene) * y.heat_flux;
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found))
+    y.heat_flux_1 += exchanged_heat_flux(*found, y.s);
+  y.heat_flux_2 = y.heat_flux - y.heat_flux_1;
+}
+
+void add_friction(const Scene& scene, Profile& y) {
+  y.friction = y.temperature;
+  for (double& at : y.friction) at = scene.friction * scene.law(at).value;
+}
+
+void require_profile(const Solution& x) {
+  if (std::holds_alternative<PublishedSolution>(x.found))
+    throw std::invalid_argument(
+        "gauss-chebyshev has no profile: at its nodes, where it knows the slip velocity, its "
+        "temperature is infinite");
+}
+
+Profile finished(const Solution& x, Profile y, const Curve& temperatures) {
+  y.error = errors_along(x, y, temperatures);
+  y.temperature = without_underflow(y.temperature);
+  if (x.scene.roller.conductivity_ratio > 0) share_heat_flux(x, y);
+  if (x.scene.law) add_friction(x.scene, y);
+  if (x.scene.direction == Direction::braking) {
+    y.traction = 0 - y.traction;  // no zero becomes negative
+    y.slip = 0 - y.slip;
+  }
+  return y;
+}
+
+Profile carter_profile(const Solution& x, const Carter& c, const Eigen::ArrayXd& s) {
+  Profile y{s, s, s, s, s, 0 * s};
+  const Curve curve = temperature_curve(x, {s.begin(), s.end()}, 0);
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    y.pressure(i) = hertz_pressure(s(i));
+    y.traction(i) = carter_traction(c, s(i));
+    y.slip(i) = carter_slip(c, s(i));
+    y.heat_flux(i) = y.slip(i) * y.pressure(i);
+    y.temperature(i) = curve.points[static_cast<std::size_t>(i)].temperature;
+  }
+  return finished(x, y, curve);
 }
 
 /// Results and peaks, or their errors, in SI units; without the sizes and Hertz's pressure.
@@ -551,6 +598,20 @@ FoundPeaks peaks(const Solution& x) {
   return found;
 }
 
+Heats heats(const Solution& x) {
+  const double all = x.value(heat_integral), left = x.error ? (*x.error)(heat_integral) : 0;
+  const double uniform = heat_share(x.scene) * all;
+  const double share = effusivity_share(x.scene), ratio = effusivity_ratio(x.scene);
+  Estimate heat_1{share * all, share * left};
+  Estimate heat_2{ratio * heat_1.value, ratio * heat_1.error};
+  const auto* found = std::get_if<CoupledSolution>(&x.found);
+  if (found != nullptr && found->crossing) {
+    heat_1 = {uniform + found->crossing->heat, left + found->crossing->heat_error};
+    heat_2 = {all - heat_1.value, heat_1.error};
+  }
+  return {heat_1, heat_2, {heat_1.value - uniform, heat_1.error}};
+}
+
 std::string note_on_constant_friction(const Solution& x) {
   const auto* law = x.scene.law.target<LawOfFriction>();
   const double hottest = x.value(max_temperature);
@@ -593,13 +654,21 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   set_sizes(y.value, si, x.value(load_ratio));
   y.notes = beyond_the_model(y.value, si, largest_friction(x));
   if (std::string note = note_on_constant_friction(x); !note.empty()) y.notes.push_back(note);
-  y.heat_unit = unit.heat_flux * si.half_width;
   if (si.bulk_temperature)
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
+  const Heats heat = heats(x);
+  const double of_size = from_radius && x.error ? 5e-10 + error_of_kappa(x) : 0;
+  const auto in_watts = [&](const Estimate& own) -> Estimate {
+    const double all = unit.heat_flux * si.half_width, value = all * own.value;
+    return {value, all * own.error + 2 * of_size * std::abs(value)};
+  };
+  y.heat_1 = in_watts(heat.into_half_space);
+  y.heat_2 = in_watts(heat.into_cylinder);
+  if (x.scene.bulk_difference != 0) y.exchanged_heat = in_watts(heat.exchanged);
   if (!x.error) return y;
   y.error = converted(*x.error, *peak.error, unit, si);
   PhysicalResults& error = *y.error;
-  const double of_kappa = error_of_kappa(x), of_size = from_radius ? 5e-10 + of_kappa : 0;
+  const double of_kappa = error_of_kappa(x);
   error.half_width = of_size * y.value.half_width;
   error.radius = (of_kappa + 2 * of_size) * y.value.radius;
   error.half_width_over_radius = (of_kappa + of_size) * y.value.half_width_over_radius;
@@ -784,9 +853,10 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
   } else if (depth == 0) {
     const auto points = static_cast<Eigen::Index>(at.size());
     const SurfaceCurve found = on_surface(x, Eigen::Map<const Eigen::ArrayXd>(at.data(), points));
+    const Eigen::ArrayXd temperature = without_underflow(found.temperature);
     for (Eigen::Index i = 0; i < points; ++i)
       curve.points.push_back(
-          {at[static_cast<std::size_t>(i)], found.temperature(i), found.error + of_flux});
+          {at[static_cast<std::size_t>(i)], temperature(i), found.error + of_flux});
   } else {
     const HeatFlux flux = coupled ? coupled_flux(*coupled) : carter_flux(*closed);
     SmoothFlux by = coupled ? smooth_flux(*coupled) : smooth_flux(*closed);
@@ -809,12 +879,14 @@ Curve temperature_curve(const Solution& x, const std::vector<double>& at, double
 
 Profile profile(const Solution& x) {
   require_profile(x);
-  const auto* found = std::get_if<CoupledSolution>(&x.found);
-  if (found != nullptr) return finished(x, profile(*found));
+  if (const auto* found = std::get_if<CoupledSolution>(&x.found)) {
+    const Profile y = profile(*found);
+    return finished(x, y, temperature_curve(x, {y.s.begin(), y.s.end()}, 0));
+  }
   constexpr Eigen::Index zone = 100;  // intervals to each zone
   const auto& c = std::get<Carter>(x.found);
   const Intervals of{zone, c.slip_half_width > 0 ? zone : 0};
-  return finished(x, carter_profile(x.scene, c, carter_points(c, of)));
+  return carter_profile(x, c, carter_points(c, of));
 }
 
 Profile profile(const Solution& x, int points) {
@@ -824,7 +896,7 @@ Profile profile(const Solution& x, int points) {
   if (found == nullptr) {
     const auto& c = std::get<Carter>(x.found);
     const Intervals of = plot_intervals(points, c.b, c.slip_half_width);
-    return finished(x, carter_profile(x.scene, c, carter_points(c, of)));
+    return carter_profile(x, c, carter_points(c, of));
   }
   Profile y = profile_at(*found, plot_points(*found, points));
   if (x.scene.bulk_difference == 0) y.s(0) = -1;
@@ -832,7 +904,7 @@ Profile profile(const Solution& x, int points) {
   const Curve curve = temperature_curve(x, {y.s.begin(), y.s.end()}, 0);
   for (Eigen::Index i = 0; i < y.s.size(); ++i)
     y.temperature(i) = curve.points[static_cast<std::size_t>(i)].temperature;
-  return finished(x, y);
+  return finished(x, y, curve);
 }
 
 std::optional<Estimate> least_friction(const Solution& x) {

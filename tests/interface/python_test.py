@@ -96,6 +96,10 @@ def SameAsTheProgramInSiUnits(program):
         for name in vars(found.physical):
             value, error = getattr(found.physical, name), getattr(found.physical_errors, name)
             cell, told = expected.get("physical." + name), expected.get("physical.error_estimate." + name)
+            if name[:5] == "heat_" and row.get("roller", "insulated") == "insulated":  # no columns
+                all_heat = found.physical.dissipation if name == "heat_1" else 0
+                assert cell is None and abs(value - all_heat) <= 1e-6 * all_heat and error >= 0, (row, name, value)
+                continue
             assert value == float(cell) if cell else np.isnan(value) and name[:7] == "contact", (row, name, value, cell)
             assert error == float(told) if told else np.isnan(error), (row, name, error, told)
         assert found.notes.count(" is above ") == expected["notes"].count(" is above "), found.notes
@@ -117,11 +121,14 @@ def ProfileIsThatOfTheProgram(program):
         with tempfile.NamedTemporaryFile("r") as file:
             command = [program, "solve", *options(scene), "--profile", file.name + ".csv", "--profile-points", "21"]
             subprocess.run(command, capture_output=True, check=True)
-            expected = np.genfromtxt(file.name + ".csv", delimiter=",", names=True)
+            expected = np.genfromtxt(file.name + ".csv", delimiter=",", names=True, deletechars="")
             __import__("os").unlink(file.name + ".csv")
         found = thermoroll.profile(**scene, points=21)
         for name in expected.dtype.names:
-            np.testing.assert_allclose(getattr(found, name), expected[name], rtol=4e-16, err_msg=name)
+            here = name.removeprefix("error_estimate.")
+            suffix = next((x for x in ("_pa", "_m_per_s", "_w_per_m2", "_celsius") if here.endswith(x)), "")
+            here = here if here == name else here.removesuffix(suffix) + "_error" + suffix
+            np.testing.assert_allclose(getattr(found, here), expected[name], rtol=4e-16, err_msg=name)
         assert ("friction" in expected.dtype.names) == ("friction_law" in scene)
         assert "friction_law" in scene or (found.friction == scene["friction"]).all()
         assert ("x_m" in expected.dtype.names) == (found.x_m is not None) == ("load" in scene)

@@ -172,11 +172,11 @@ TEST(Interface, StructuresAreFixed) {
   EXPECT_EQ(offsetof(thermoroll_scene, tolerance), 120U);
   EXPECT_EQ(sizeof(thermoroll_values), 15 * sizeof(double));
   EXPECT_EQ(offsetof(thermoroll_values, max_temperature), 64U);
-  EXPECT_EQ(sizeof(thermoroll_physical), 13 * sizeof(double));
-  EXPECT_EQ(sizeof(thermoroll_result), 1016U);
+  EXPECT_EQ(sizeof(thermoroll_physical), 15 * sizeof(double));
+  EXPECT_EQ(sizeof(thermoroll_result), 1048U);
   EXPECT_EQ(offsetof(thermoroll_result, unit), 512U);
-  EXPECT_EQ(offsetof(thermoroll_result, notes), 760U);
-  EXPECT_EQ(sizeof(thermoroll_point), 96U);
+  EXPECT_EQ(offsetof(thermoroll_result, notes), 792U);
+  EXPECT_EQ(sizeof(thermoroll_point), 128U);
   EXPECT_EQ(offsetof(thermoroll_point, depth), 72U);
   EXPECT_EQ(offsetof(thermoroll_result, value), 16U);
   EXPECT_EQ(offsetof(thermoroll_result, error), 136U);
@@ -500,6 +500,10 @@ TEST(Interface, SiScenesAreThoseOfTheLibrary) {
     expect_same(x.solution.value, found.value);
     expect_same(x.physical->value, found.physical);
     expect_same(*x.physical->error, found.physical_error);
+    EXPECT_EQ(found.physical.heat_1, x.physical->heat_1.value);
+    EXPECT_EQ(found.physical.heat_2, x.physical->heat_2.value);
+    EXPECT_EQ(found.physical_error.heat_1, x.physical->heat_1.error);
+    EXPECT_EQ(found.physical_error.heat_2, x.physical->heat_2.error);
     EXPECT_EQ(numbers(found.unit),
               (std::vector<double>{x.units->length, x.units->traction, x.units->slip,
                                    x.units->heat_flux, x.units->temperature}));
@@ -705,6 +709,11 @@ TEST(Interface, ProfileIsThatOfTheLibrary) {
       EXPECT_EQ(y.heat_flux_1, insulated ? x.heat_flux(k) : x.heat_flux_1(k));
       EXPECT_EQ(y.heat_flux_2, insulated ? 0 : x.heat_flux_2(k));
       EXPECT_EQ(y.friction, scene.friction_law == THERMOROLL_CONSTANT ? 0.6 : x.friction(k));
+      EXPECT_EQ(y.pressure_error, x.error->pressure);
+      EXPECT_EQ(y.traction_error, x.error->traction);
+      EXPECT_EQ(y.slip_error, x.error->slip);
+      EXPECT_EQ(y.heat_flux_error, x.error->heat_flux);
+      EXPECT_EQ(y.temperature_error, x.error->temperature);
     }
   }
 }

@@ -262,8 +262,10 @@ NotesOnStandardError() {
 
 # --- Profiles -------------------------------------------------------------------------------------
 
+of_errors=,error_estimate.pressure,error_estimate.traction,error_estimate.slip,error_estimate.heat_flux,error_estimate.temperature
+
 ProfileHasAllColumns() {
-  local method header=s,pressure,traction,slip,heat_flux,temperature
+  local method header=s,pressure,traction,slip,heat_flux,temperature$of_errors
   for method in coupled closed-form; do
     answers solve "${paper_scene[@]}" --method $method
     cp out expected
@@ -272,7 +274,7 @@ ProfileHasAllColumns() {
     [ "$(head -1 p.csv)" = $header ] || fail "$(head -1 p.csv)"
     # s ascends; stick carries less than f p and has no slip, slip carries f p; v p is the heat flux
     awk -F, 'function off(a, b) { return a - b > 1e-12 || b - a > 1e-12 }
-      NR == 1 { next } NF != 6 || $1 <= before && NR > 2 || $2 < 0 || $4 < 0 { exit 1 }
+      NR == 1 { next } NF != 11 || $1 <= before && NR > 2 || $2 < 0 || $4 < 0 { exit 1 }
       $4 == 0 && $3 > 0.6 * $2 || $4 > 0 && off($3, 0.6 * $2) || off($5, $2 * $4) { exit 1 }
       { before = $1; slips += $4 > 0; hot = $6 > hot ? $6 : hot }
       END { exit !(NR > 30 && slips > 10 && hot > 0.002045 && hot < 0.002053) }' p.csv ||
@@ -280,7 +282,7 @@ ProfileHasAllColumns() {
   done
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json --profile p.csv
   header=s,x_m,pressure,pressure_pa,traction,traction_pa,slip,slip_m_per_s,heat_flux,heat_flux_w_per_m2
-  [ "$(head -1 p.csv)" = $header,temperature,temperature_celsius ] || fail "$(head -1 p.csv)"
+  [ "$(head -1 p.csv | sed 's/,error.*//')" = $header,temperature,temperature_celsius ] || fail "$(head -1 p.csv)"
   local unit
   unit=$(calculate "$(value max_temperature_celsius) / $(value max_temperature)")
   awk -F, -v unit="$unit" 'function same(a, b) { return (a - b)^2 <= (1e-9 * b)^2 }
@@ -300,7 +302,7 @@ ProfileAtPoints() {
       answers solve "${paper_scene[@]}" --method $method --format json --profile p.csv --profile-points $points
       cmp out expected || fail "the profile changes the answer"
       awk -F, -v n=$points -v border="$border" '
-        NR == 1 { if ($0 != "s,pressure,traction,slip,heat_flux,temperature") exit 1; next }
+        NR == 1 { if ($6 != "temperature") exit 1; next }
         NR == 2 && $1 != -1 || NR > 2 && $1 <= before { exit 1 }
         { before = $1; near = $1 < border ? ($1 + 1) / (border + 1) : ($1 - border) / (1 - border) }
         { ends += near < 1 / 8 || near > 7 / 8; found += near < 1e-12 || near > 1 - 1e-12 }
@@ -319,33 +321,44 @@ ProfileAtPoints() {
 
 # The flux into each body stands in columns of its own, where both conduct: together they are the
 # heat of friction, and behind a hot wheel's leading edge they are opposite.
+# The same errors in every row; with SI data those in units, too.
+ProfileHasItsErrors() {
+  answers solve "${steel[@]}" --half-width 5.5e-3 --tolerance 1e-4 --profile p.csv --profile-points 5
+  [ "$(head -1 p.csv | cut -d, -f 13-)" = error_estimate.pressure,error_estimate.pressure_pa,error_estimate.traction,error_estimate.traction_pa,error_estimate.slip,error_estimate.slip_m_per_s,error_estimate.heat_flux,error_estimate.heat_flux_w_per_m2,error_estimate.temperature,error_estimate.temperature_celsius ] ||
+    fail "$(head -1 p.csv)"
+  [ "$(tail -n +2 p.csv | cut -d, -f 13- | sort -u | wc -l)" = 1 ] || fail "$(cat p.csv)"
+  awk -F, 'NR == 4 { for (k = 13; k < 23; k += 2)
+      if ($k < 1e-9 || $k > 1e-3 || ($(k + 1) / $k / ($(k - 9) / $(k - 10)) - 1)^2 > 1e-20) exit 1 }
+    END { exit NR != 6 }' p.csv || fail "$(cat p.csv)"
+}
+
 ProfileOfTwoBodies() {
-  local header=s,pressure,traction,slip,heat_flux,temperature,heat_flux_1,heat_flux_2
+  local header=s,pressure,traction,slip,heat_flux,temperature,heat_flux_1,heat_flux_2$of_errors
   local scene=(--friction 0.6 --traction 0.4 --peclet 100 --heating 0.1) warm
   for warm in 0 0.01; do
     answers solve "${scene[@]}" --roller conducting --conductivity-ratio 2 --heating-2 0.1 --peclet-2 50 \
       --bulk-difference $warm --profile p.csv
     [ "$(head -1 p.csv)" = $header ] || fail "$(head -1 p.csv)"
-    awk -F, -v warm=$warm 'NR == 1 { next } NF != 8 || ($7 + $8 - $5)^2 > 1e-30 { exit 1 }
+    awk -F, -v warm=$warm 'NR == 1 { next } NF != 13 || ($7 + $8 - $5)^2 > 1e-30 { exit 1 }
       $1 < -0.5 && (warm > 0 ? $7 < 0.01 || $8 > -0.01 : $7^2 > 1e-14) { exit 1 }
       END { exit !(NR > 30) }' p.csv || fail "$(cat p.csv)"
   done
   answers solve "${steel[@]}" --half-width 5.5e-3 --roller identical --profile p.csv
-  head -1 p.csv | grep -q ',heat_flux_1,heat_flux_1_w_per_m2,heat_flux_2,heat_flux_2_w_per_m2$' ||
+  head -1 p.csv | grep -q ',heat_flux_1,heat_flux_1_w_per_m2,heat_flux_2,heat_flux_2_w_per_m2,error' ||
     fail "$(head -1 p.csv)"
   awk -F, 'NR > 1 && (($13 - $9 / 2)^2 > 1e-30 || ($14 - $10 / 2)^2 > (1e-12 * $10)^2 || $16 != $14) { exit 1 }' p.csv ||
     fail "$(cat p.csv)"
 }
 
-# A law of friction has its local coefficient behind all other columns.
+# A law of friction has its local coefficient behind the other columns, before their errors.
 ProfileOfALawOfFriction() {
   local law=(--friction-law linear --friction-temperature)
   answers solve --friction 0.6 --creep 0.1 --peclet 100 "${law[@]}" 0.02 --profile p.csv
-  [ "$(head -1 p.csv)" = s,pressure,traction,slip,heat_flux,temperature,friction ] || fail "$(head -1 p.csv)"
+  [ "$(head -1 p.csv)" = s,pressure,traction,slip,heat_flux,temperature,friction$of_errors ] || fail "$(head -1 p.csv)"
   awk -F, 'NR > 1 && ($7 - 0.6 * (1 - $6 / 0.02))^2 > 1e-30 { exit 1 } { least = NR == 2 || $7 < least ? $7 : least }
     END { exit !(NR > 30 && least < 0.5) }' p.csv || fail "$(cat p.csv)"
   answers solve "${steel[@]}" --half-width 5.5e-3 --bulk-temperature 20 "${law[@]}" 1600 --profile p.csv --profile-points 9
-  head -1 p.csv | grep -q ',temperature,temperature_celsius,absolute_temperature_celsius,friction$' || fail "$(head -1 p.csv)"
+  head -1 p.csv | grep -q ',temperature,temperature_celsius,absolute_temperature_celsius,friction,error' || fail "$(head -1 p.csv)"
   awk -F, 'NR > 1 && ($14 - 0.6 * (1 - $12 / 1600))^2 > 1e-24 { exit 1 }' p.csv || fail "$(cat p.csv)"
 }
 
@@ -394,7 +407,7 @@ JsonHasItsKeysInOrder() {
   end="$end error_estimate"
   local physical="physical half_width radius creep_ratio hertz_pressure max_pressure max_traction"
   physical="$physical max_heat_flux max_temperature_celsius half_width_over_radius dissipation tangential_load max_temperature_at_m"
-  physical="$physical contact_temperature_celsius tangential_load_limit creep_ratio_at_limit error_estimate"
+  physical="$physical heat_1 heat_2 exchanged_heat contact_temperature_celsius tangential_load_limit creep_ratio_at_limit error_estimate"
   keys() { grep -o '^ *"[a-z0-9_]*":' out | tr -d ' ":' | paste -sd' '; }
   answers solve "${paper_scene[@]}" "${published[@]}" --format json
   [ "$(keys)" = "$case $bounded $end" ] || fail "keys: $(keys)"
@@ -461,6 +474,28 @@ InsulatedRollersKeepTheirColumns() {
   [ "$(columns | grep -vxFf insulated | paste -sd' ')" = "$new error_estimate.heat_1 error_estimate.heat_2 error_estimate.exchanged_heat error_estimate.no_slip_traction error_estimate.no_slip_creep error_estimate.edge_log_coefficient" ] ||
     fail "$(columns)"
   [ "$(columns | grep -xFf insulated)" = "$(cat insulated)" ] || fail "another order: $(columns)"
+}
+
+# The heats in W/m add up to the power lost to friction; the text, the table and the JSON have the same.
+HeatsInSi() {
+  local warm columns="physical.heat_1 physical.heat_2 physical.exchanged_heat physical.dissipation physical.error_estimate.heat_1"
+  local pair=("${steel[@]}" --half-width 5.5e-3 --roller conducting --conductivity-2 30
+    --expansion-2 1.1e-5 --bulk-temperature 20)
+  for warm in 20 60; do
+    answers solve "${pair[@]}" --bulk-temperature-2 $warm --format csv
+    cut_columns() { awk -F, -v names="$columns" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+      { n = split(names, name, " "); for (i = 1; i <= n; ++i) printf "%s ", $at[name[i]] }' out; }
+    read -r one two crosses lost error <<<"$(cut_columns | sed 's/  / none /')"
+    near "$(calculate "$one + $two")" "$lost" "$(calculate "1e-4 * $lost")"
+    [ "$crosses" = none ] && [ $warm = 20 ] || near "$(calculate "$crosses / 1e5")" "$(calculate "$one / 1e5 - 50 / 80 * $lost / 1e5")" 1e-3
+    cp out table
+    answers solve "${pair[@]}" --bulk-temperature-2 $warm --format json
+    sed -n '/"physical"/,$p' out | grep -q "\"heat_1\": $one,$" || fail "$one: $(cat out)"
+    answers solve "${pair[@]}" --bulk-temperature-2 $warm
+    grep -q "^heat_1  *$(printf %.6g "$one")" out || fail "$one: $(cat out)"
+  done
+  answers solve "${steel[@]}" --half-width 5.5e-3 --format csv
+  ! head -1 out | grep -q 'physical.heat_1' || fail "$(head -1 out)"
 }
 
 # Nothing slips without traction or creep: the answer is exact, and it is cold.
@@ -1120,7 +1155,8 @@ TemperatureColumns() {
   [ "$(head -1 out)" = s,x_m,temperature,temperature_celsius,absolute_temperature_celsius,error_estimate ] || fail "$(head -1 out)"
   awk -F, 'END { exit !($5 == 20 + $4 || $5 - 20 - $4 < 1e-12 && 20 + $4 - $5 < 1e-12) }' out || fail "$(cat out)"
   answers solve "${steel[@]}" --half-width 5.5e-3 --bulk-temperature 20 --profile profile.csv --profile-points 5
-  awk -F, 'NR == 1 { exit $NF != "absolute_temperature_celsius" } { d = $NF - 20 - $(NF - 1); if (d * d > 1e-20) exit 1 }' profile.csv ||
+  awk -F, 'NR == 1 { if ($13 != "absolute_temperature_celsius") exit 1; next } { d = $13 - 20 - $12; if (d * d > 1e-20) exit 1 }
+    $11 != 0 && $11 < 1e-300 { exit 1 }' profile.csv ||
     fail "$(cat profile.csv)"
   answers temperature "${steel[@]}" --half-width 5.5e-3 --at 0.5
   awk -F, 'END { if ($2 != 0.5 * 5.5e-3) exit 1

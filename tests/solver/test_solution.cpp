@@ -364,6 +364,78 @@ TEST(Solution, ProfileAtPointsIsThatOfTheNodes) {
   }
 }
 
+std::vector<Scene> scenes_with_profiles() {
+  std::vector<Scene> all{{0.6, 4360, 0.0175}, {0.6, 100, 1}, {0.5, 16, 0.2, {1, 0.2, 32}}};
+  Scene warm = all.back();
+  warm.bulk_difference = -0.2;
+  warm.direction = Direction::braking;
+  Scene hot{0.6, 100, 0.2};
+  hot.law = linear_friction({0.03});
+  all.push_back(warm);
+  all.push_back(hot);
+  return all;
+}
+
+/// A solution at the border -0.7, or in full slip.
+Solution solved(const Scene& scene, bool slips, double tolerance) {
+  const Prescribed partial{stick_slip_border, -0.7}, full{creep, sign_of(scene.direction)};
+  return solve(scene, slips ? full : partial, {.tolerance = tolerance});
+}
+
+/// The largest differences of curves at the places of x, in its zones, of those of 33 points.
+ProfileErrors apart(const Solution& x, const Solution& y) {
+  const auto &a = std::get<CoupledSolution>(x.found), &b = std::get<CoupledSolution>(y.found);
+  const SmoothTractions to = smooth_tractions(b, b.unknowns);
+  const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(33, -1, 1);
+  const Eigen::ArrayXd other = stick_places(at, smooth_tractions(a, a.unknowns), to);
+  const bool slips = x.value(stick_slip_border) == -1;
+  const auto points = [&](const Eigen::ArrayXd& ahead) {
+    return slips ? PlotPoints{{}, at} : PlotPoints{ahead.reverse(), at};
+  };
+  const Profile own = profile_at(a, points(at)), finer = profile_at(b, points(other));
+  EXPECT_LT((own.s - finer.s).abs().maxCoeff(), 1e-7);
+  const auto most = [&](Eigen::ArrayXd Profile::*curve) {
+    return (own.*curve - finer.*curve).abs().maxCoeff();
+  };
+  return {most(&Profile::pressure), most(&Profile::traction), most(&Profile::slip),
+          most(&Profile::heat_flux), 0};
+}
+
+// Against a finer solution, at the same places of both zones. Those of two grids are the same to
+// rounding next to the border. With a bulk difference the pressure is off by more than ten
+// tolerances.
+TEST(Solution, ProfilesAreWithinTheirErrors) {
+  double worst = 0;
+  for (const Scene& scene : scenes_with_profiles())
+    for (const bool slips : {false, true}) {
+      const Solution y = solved(scene, slips, 1e-7);
+      const ProfileErrors left = *profile(y, 2).error;
+      for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
+        const Solution x = solved(scene, slips, tolerance);
+        const Profile at = profile(x, 33);
+        const ProfileErrors off = apart(x, y);
+        for (const auto of : {&ProfileErrors::pressure, &ProfileErrors::traction,
+                              &ProfileErrors::slip, &ProfileErrors::heat_flux})
+          EXPECT_LE(off.*of, at.error.value().*of + left.*of)
+              << scene.peclet << ' ' << scene.bulk_difference << ' ' << slips << ' ' << tolerance;
+        worst = std::max(worst, off.pressure / tolerance);
+        const Curve curve = temperature_curve(y, {at.s.begin(), at.s.end()}, 0);
+        for (Eigen::Index i = 0; i < 33; ++i)
+          EXPECT_NEAR(at.temperature(i), curve.points[static_cast<std::size_t>(i)].temperature,
+                      at.error->temperature + left.temperature);
+      }
+    }
+  EXPECT_GT(worst, 10);
+}
+
+// Asked for by name it does not count the heat, and its curves are formulas.
+TEST(Solution, ProfilesOfTheClosedFormHaveErrorsOfRounding) {
+  const Profile y = profile(solve({0.6, 4360, 0.0175}, {traction, 0.4}, closed_form), 99);
+  EXPECT_LT(y.error->pressure, 2e-15);
+  EXPECT_GT(y.error->pressure, 1e-16);
+  EXPECT_LT(y.error->temperature, 1e-8 * y.temperature.maxCoeff());
+}
+
 // The local coefficient is that of the tractions: |q| = f(T) p where it slips, and less elsewhere.
 // T is off by two errors of the hottest point at most, f(T) by f / T0* times that, and p is below
 // one. The traction is a factor of the series, whose tail is below the tolerance.

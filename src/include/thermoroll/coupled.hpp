@@ -207,6 +207,11 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 /// The heat flux v* p* of a solution.
 HeatFlux coupled_flux(const CoupledSolution& x);
 
+/// Estimated absolute errors of a profile, of each curve the largest; dimensionless.
+struct ProfileErrors {
+  double pressure, traction, slip, heat_flux, temperature;
+};
+
 /// Functions of the position along the contact, at ascending s in [-1, 1]; dimensionless.
 struct Profile {
   Eigen::ArrayXd s, pressure, traction, slip, heat_flux, temperature;
@@ -215,6 +220,7 @@ struct Profile {
   Eigen::ArrayXd heat_flux_1{}, heat_flux_2{};
   /// The local coefficient f phi(T*); in profile() of a Solution, empty if friction is constant.
   Eigen::ArrayXd friction{};
+  std::optional<ProfileErrors> error{};  ///< in profile() of a Solution
 };
 
 /// The profiles of a solution, at the nodes of its last grid.

@@ -55,6 +55,15 @@ struct FoundPeaks {
   std::optional<Peaks> error;
 };
 
+/// The heat that flows into the half-space and into the cylinder, and that which crosses to the
+/// half-space beyond its uniform share. Dimensionless, with estimated absolute errors; those of the
+/// scheme are 0.
+struct Heats {
+  Estimate into_half_space, into_cylinder, exchanged;
+};
+
+Heats heats(const Solution& x);
+
 FoundPeaks peaks(const Solution& x);
 
 /// The peaks of tractions that are known as series.
@@ -93,7 +102,8 @@ struct FoundInSi {
   /// The largest traction, N/m, and its creep as a fraction of the speed, if there is a maximum;
   /// of a contact of this half-width.
   std::optional<Estimate> tangential_load_limit{}, creep_ratio_at_limit{};
-  double heat_unit = 0;  ///< what one of heat_integral is, W/m
+  Estimate heat_1{}, heat_2{};               ///< into the half-space; into the cylinder; W/m
+  std::optional<Estimate> exchanged_heat{};  ///< W/m, if the bulk temperatures differ
 };
 
 /// Whether a prescribed creep is xi*, or the fraction xi of the speed.

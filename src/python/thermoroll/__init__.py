@@ -48,7 +48,8 @@ _units = _structure("length f8, traction f8, slip f8, heat_flux f8, temperature 
 _physical = _structure(
     "half_width f8, radius f8, creep_ratio f8, hertz_pressure f8, max_pressure f8, max_traction f8",
     "max_heat_flux f8, max_temperature_celsius f8, half_width_over_radius f8, dissipation f8",
-    "tangential_load f8, max_temperature_at_m f8, contact_temperature_celsius f8",
+    "tangential_load f8, max_temperature_at_m f8, heat_1 f8, heat_2 f8",
+    "contact_temperature_celsius f8",
 )
 _result = np.dtype(
     _structure("size u4, status i4, model i4, unknowns i4").descr
@@ -58,6 +59,7 @@ _result = np.dtype(
 _point = _structure(
     "size u4, status i4, s f8, pressure f8, traction f8, slip f8, heat_flux f8, temperature f8",
     "heat_flux_1 f8, heat_flux_2 f8, depth f8, temperature_error f8, friction f8",
+    "pressure_error f8, traction_error f8, slip_error f8, heat_flux_error f8",
 )
 _law_info = _structure("size u4, status i4, driving_end f8, braking_end f8, message S256")
 _law_value = _structure(
@@ -213,6 +215,8 @@ class Physical:
     dissipation: NDArray  #: power lost to friction per unit length, W/m
     tangential_load: NDArray  #: Q, N/m, negative when braking
     max_temperature_at_m: NDArray  #: x of the hottest point, m
+    heat_1: NDArray  #: the heat that flows into the half-space, W/m
+    heat_2: NDArray  #: the heat that flows into the roller, W/m
     contact_temperature_celsius: NDArray  #: bulk temperature and largest rise, degree C, or NaN
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -371,6 +375,11 @@ class Profile:
     heat_flux_1: NDArray  #: into the half-space
     heat_flux_2: NDArray  #: into the roller
     friction: NDArray  #: the coefficient of friction at T*
+    pressure_error: NDArray  #: estimated, absolute, the largest along the contact at each point
+    traction_error: NDArray
+    slip_error: NDArray
+    heat_flux_error: NDArray
+    temperature_error: NDArray
     solution: Solution  #: the results of the scene, numbers
     x_m: NDArray | None = None  #: as above, of data in SI units
     pressure_pa: NDArray | None = None
@@ -381,10 +390,17 @@ class Profile:
     heat_flux_1_w_per_m2: NDArray | None = None
     heat_flux_2_w_per_m2: NDArray | None = None
     absolute_temperature_celsius: NDArray | None = None  #: with a bulk temperature
+    pressure_error_pa: NDArray | None = None
+    traction_error_pa: NDArray | None = None
+    slip_error_m_per_s: NDArray | None = None
+    heat_flux_error_w_per_m2: NDArray | None = None
+    temperature_error_celsius: NDArray | None = None
 
 def _curves_in_si(points: NDArray, unit: NDArray, bulk: float) -> dict[str, NDArray]:
     of = {"pressure_pa": "traction", "traction_pa": "traction", "slip_m_per_s": "slip", "temperature_celsius": "temperature"}
     of.update({f"heat_flux{body}_w_per_m2": "heat_flux" for body in ("", "_1", "_2")})
+    of.update({f"{x}_error_pa": "traction" for x in ("pressure", "traction")})
+    of.update(slip_error_m_per_s="slip", heat_flux_error_w_per_m2="heat_flux", temperature_error_celsius="temperature")
     bare = ("_pa", "_m_per_s", "_w_per_m2", "_celsius")
     curves = {"x_m": points["s"] * unit["length"]}
     for name, by in of.items():
@@ -426,7 +442,7 @@ def profile(*, points: int = 401, **scene: ArrayLike) -> Profile:
     rows = np.zeros(points, _point)
     given, result, in_si = _points(rows, "along-contact", scene)
     curves = _columns(rows)
-    for name in ("size", "status", "depth", "temperature_error"):
+    for name in ("size", "status", "depth"):
         del curves[name]
     if in_si:
         curves.update(_curves_in_si(rows, result["unit"], given["bulk_temperature"]))
