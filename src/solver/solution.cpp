@@ -483,14 +483,17 @@ double largest_friction(const Solution& x) {
   return scene.friction * std::max(1.0, scene.law(x.value(max_temperature)).value);
 }
 
+double capacity_1(const PhysicalScene& si) { return si.conductivity / si.diffusivity; }
+
+double capacity_2(const PhysicalScene& si) { return si.conductivity_2 / diffusivity_2(si); }
+
 double grueneisen_1(const PhysicalScene& si) {
-  return grueneisen(si.conductivity / si.diffusivity, si.expansion, si.shear_modulus, si.poisson);
+  return grueneisen(capacity_1(si), si.expansion, si.shear_modulus, si.poisson);
 }
 
 double grueneisen_2(const PhysicalScene& si) {
   if (!(si.expansion_2 > 0)) return 0;
-  const double capacity = si.conductivity_2 / diffusivity_2(si);
-  return grueneisen(capacity, si.expansion_2, si.shear_modulus, si.poisson);
+  return grueneisen(capacity_2(si), si.expansion_2, si.shear_modulus, si.poisson);
 }
 
 std::vector<std::string> beyond_the_model(const PhysicalResults& x, const PhysicalScene& si,
@@ -509,6 +512,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
       "is the modulus that of shear, and are expansion and diffusivity and conductivity in SI "
       "units?";
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
+  const char* of_capacity = "solids have 1e6 to 4e6 J/(m^3 K)";
   const double gamma = grueneisen_1(si), gamma_2 = grueneisen_2(si);
   const Limit limits[] = {
       {"half_width_over_radius", x.half_width_over_radius, 0.1, "bodies are no half-spaces there",
@@ -523,6 +527,9 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
               : "is it a ratio and no percentage?"},
       {"grueneisen", gamma, 3, "solids have 0.5 to 2", of_gamma},
       {"grueneisen_2", gamma_2 == gamma ? 0 : gamma_2, 30, "solids have 0.5 to 2", of_gamma},
+      {"heat_capacity", capacity_1(si), 6e6, of_capacity, "do conductivity and diffusivity agree?"},
+      {"heat_capacity_2", capacity_2(si) == capacity_1(si) ? 0 : capacity_2(si), 6e6, of_capacity,
+       "is diffusivity-2 that of the roller's material?"},
       {"speed", si.speed, 300, "a tenth of that of sound in steel", "is it in m/s or in mm/s?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};

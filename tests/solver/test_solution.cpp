@@ -1102,6 +1102,8 @@ TEST(Solution, NotesOnEachBodySpeedAndScale) {
   EXPECT_EQ(noted([](PhysicalScene& c) { c.diffusivity_2 = 97; }), "grueneisen_2");
   EXPECT_EQ(noted([](PhysicalScene& c) { c.conductivity_2 = 0.235; }), "grueneisen_2");
   EXPECT_EQ(noted([](PhysicalScene& c) { c.expansion_2 = 23; }), "grueneisen_2");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.diffusivity_2 = 0; }), "heat_capacity_2");
+  EXPECT_EQ(noted([](PhysicalScene& c) { c.conductivity = 500; }), "heat_capacity");
   EXPECT_EQ(noted([](PhysicalScene& c) { c.speed = 301; }), "speed");
   EXPECT_EQ(noted([](PhysicalScene& c) { c.law->of.scale = -0.99; }), "friction_temperature");
   EXPECT_EQ(noted([](PhysicalScene& c) { c.law->of.scale = 0.02; }), "friction_temperature");
