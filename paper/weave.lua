@@ -1185,10 +1185,9 @@ local function chunk_box(piece, open)
       step(chunk.pieces[piece.part - 1], "↑", "previous"),
       step(chunk.pieces[piece.part + 1], "↓", "next"))
   end
-  local class = chunk.of_parts and piece.part > 1 and "chunk more" or "chunk"
-  return raw(string.format('<details class="%s" id="%s"%s>\n<summary>'
+  return raw(string.format('<details id="%s"%s>\n<summary>'
     .. '<i>%s</i>%s</summary>\n<div class="code">%s</div>\n'
-    .. '<p>%s</p>\n</details>', class, escape(anchor(piece)), open and ' open=""' or "",
+    .. '<p>%s</p>\n</details>', escape(anchor(piece)), open and ' open=""' or "",
     piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
 end
 

@@ -398,7 +398,7 @@ void run_law(const Options& o) {
   const AllCreeps c = read_all_creeps(o.of_scene);
   const double tolerance = o.of_scene.tolerance.value_or(law_tolerance);
   const CreepLawBySpeed law = noted(c, [&] { return law_of(c, o.to_speed, tolerance); });
-  deliver({{law_text(law, c.scene, c.formulation, c.units, value_of(language_names, o.language)),
+  deliver({{law_text(law, c.scene, c.formulation, c.physical, value_of(language_names, o.language)),
             o.output}});
   say_reference(o.of_scene);
   const double far = 20 * c.scene.friction / pi;
@@ -575,6 +575,9 @@ void run_sweep(const Options& o) {
       o.package,           read_part(o.part), jobs,     to_terminal && to_file};
   const SweepCount rows = sweep(request);
   if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
+  if (rows.noted > 0)
+    std::fprintf(stderr, "thermoroll: note: %ld of %ld rows have notes: see their column notes\n",
+                 rows.noted, rows.rows);
   if (rows.failed > 0)
     throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
                      " rows have an error: see their columns status and error");
@@ -598,9 +601,11 @@ void add_solve(CLI::App& program, Options& o) {
   add_scene_options(command, o.of_scene);
   add_format(command, o);
   command
-      .add_option("--profile", o.profile,
-                  "write s, p*, q*, v*, heat flux and T* to this file, f of a law, and the largest "
-                  "error of each; s from -1, where the surfaces enter the contact, to 1")
+      .add_option(
+          "--profile", o.profile,
+          "write s, p*, q*, v*, heat flux and T* to this file, f of a law, and the largest "
+          "error of each; s from -1, where the surfaces enter the contact, to 1 (just inside "
+          "if bulk temperatures differ)")
       ->type_name("FILE")
       ->check(file_name("profile"));
   command
@@ -618,8 +623,8 @@ void add_temperature(CLI::App& program, Options& o) {
   command
       .add_option(
           "--at", o.at,
-          "s: A:B:N (N points from A to B), a list A,B,..., a number; -1.5:4:551 unless given; the "
-          "surfaces enter the contact at s = -1, leave it at 1 and cool behind it")
+          "s, in half-widths: A:B:N (N points from A to B), a list A,B,..., a number; -1.5:4:551 "
+          "unless given; surfaces enter the contact at s = -1, leave it at 1 and cool behind it")
       ->type_name("POINTS");
   command.add_option("--depth", o.depth, "depths in units of a, as --at; 0 unless given")
       ->type_name("POINTS");
@@ -799,8 +804,9 @@ results have the same rows in the same order: the columns given, those of solve 
 are not among them, then status and error, which say what solve would have said of the row. Where
 a result has the name of a column that was given, it fills the cells that were left empty. The
 column id, and those that --keep names, are labels. To sweep results again, give the same options:
-the results do not have them. With --resume the same command can be given
-again after it was stopped. Parts joined, in order, are the results of the whole table.)";
+the results do not have them. Loads that vary need a --radius: with one --half-width they would be
+those of different rollers. With --resume the same command can be given again after it was stopped.
+Parts joined, in order, are the results of the whole table.)";
 
 constexpr const char* temperature_examples = R"(Examples:
   thermoroll temperature --friction 0.6 --traction 0.5 --peclet 1000 --at -1:3:401
@@ -811,8 +817,9 @@ constexpr const char* temperature_examples = R"(Examples:
 The columns are s, temperature (T*) and error_estimate (of T*, absolute; empty for gauss-chebyshev),
 with depth behind s where there are several. With data in SI units there are x_m, depth_m and
 temperature_celsius (the rise over the bulk temperature), each behind its own; with
---bulk-temperature also absolute_temperature_celsius, the sum of both. Unless --roller says
-otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
+--bulk-temperature also absolute_temperature_celsius, the sum of both. The last column is then
+error_estimate_celsius. Unless --roller says otherwise, all heat goes into one body: two steel bodies
+(--roller identical) are about half as hot.)";
 
 constexpr const char* creep_curve_examples = R"(Examples:
   thermoroll creep-curve --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical
@@ -836,8 +843,8 @@ constexpr const char* law_examples = R"(Examples:
     --conductivity 50 --roller identical
 
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
-is 1 beyond the end of the law: xi*, Q*, T*, or with data in SI units the creep as a fraction of the
-speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too; the tolerance is then
+is 1 beyond the end of the law, where the others are 0: xi*, Q*, T*, or with data in SI units the creep
+as a fraction of the speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too; the tolerance is then
 from 3e-7 on, and 1e-3 is much faster where a reference temperature is reached in partial slip. A law is
 of one --half-width: that of a radius is told by solve --radius. Two laws in one C program need names
 of their own, as by cc -Dcreep_law=wheel_law. Creeps above 0.1 of the speed have values, too, but are

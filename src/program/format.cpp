@@ -143,11 +143,13 @@ std::array<OptionalRow, 3> heat_rows(const FoundInSi& x) {
            {"exchanged_heat", "W/m", x.exchanged_heat}}};
 }
 
-std::array<OptionalRow, 3> optional_rows(const FoundInSi& x) {
+std::array<OptionalRow, 5> optional_rows(const FoundInSi& x) {
   std::optional<Estimate> contact;
   const double error = x.error ? x.error->max_temperature_celsius : 0;
   if (x.contact_temperature_celsius) contact = {*x.contact_temperature_celsius, error};
   return {{{"contact_temperature_celsius", "degree C", contact},
+           {"no_slip_tangential_load", "N/m", x.no_slip_load},
+           {"no_slip_creep_ratio", "", x.no_slip_creep_ratio},
            {"tangential_load_limit", "N/m", x.tangential_load_limit},
            {"creep_ratio_at_limit", "", x.creep_ratio_at_limit}}};
 }
@@ -164,11 +166,12 @@ void add(Object& o, const Results& values) {
 void add_physical(Object& o, Object& error, const FoundInSi& physical) {
   add(o, physical_rows, physical.value);
   if (physical.error) add(error, physical_rows, *physical.error);
-  for (const auto& rows : {heat_rows(physical), optional_rows(physical)})
-    for (const auto& [name, unit, found] : rows) {
-      o[name] = found ? json(found->value) : json();
-      if (physical.error) error[name] = found ? json(found->error) : json();
-    }
+  const auto tell = [&](const OptionalRow& row) {
+    o[row.name] = row.found ? json(row.found->value) : json();
+    if (physical.error) error[row.name] = row.found ? json(row.found->error) : json();
+  };
+  for (const OptionalRow& row : heat_rows(physical)) tell(row);
+  for (const OptionalRow& row : optional_rows(physical)) tell(row);
 }
 
 /// The values and errors of a solution by their keys; the errors are empty where none are known.
@@ -284,10 +287,9 @@ std::string csv_cell(const json& value) {
 }
 
 constexpr std::string_view of_a_roller[] = {
-    "roller",        "direction",           "heating_2",       "conductivity_ratio",
-    "peclet_2",      "effusivity_ratio",    "bulk_difference", "heat_1",
-    "heat_2",        "heat_partition",      "exchanged_heat",  "no_slip_traction",
-    "no_slip_creep", "edge_log_coefficient"};
+    "roller",   "direction",        "heating_2",       "conductivity_ratio",
+    "peclet_2", "effusivity_ratio", "bulk_difference", "heat_1",
+    "heat_2",   "heat_partition",   "exchanged_heat",  "edge_log_coefficient"};
 constexpr std::string_view of_a_law[] = {"friction_law",   "friction_temperature",
                                          "friction_floor", "friction_reference_temperature",
                                          "branch",         "friction_min"};
@@ -296,7 +298,7 @@ bool is_left_out(std::string_view key, const MoreColumns& with) {
   const auto is_in = [&](const auto& keys) {
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
   };
-  return (!with.roller && is_in(of_a_roller)) ||
+  return (!with.roller && (is_in(of_a_roller) || key.starts_with("no_slip_"))) ||
          (!with.law && (is_in(of_a_law) || key.ends_with("_limit"))) ||
          (!with.roller && !with.law && key == "full_slip") ||
          (!with.bulk && key == "contact_temperature_celsius");
@@ -506,9 +508,13 @@ ColumnMeaning meaning_of(const std::string& column) {
   const bool physical = column.find("physical.") == 0, error = name != column && !physical;
   for (const auto& row : physical_rows)
     if (physical && name == row.name) return {row.symbol, *row.unit == 0 ? "1" : row.unit};
-  for (const auto& rows : {heat_rows({}), optional_rows({})})
-    for (const OptionalRow& row : rows)
-      if (physical && name == row.name) return {"", *row.unit == 0 ? "1" : row.unit};
+  std::optional<ColumnMeaning> found;
+  const auto look_at = [&](const OptionalRow& row) {
+    if (physical && name == row.name) found = {"", *row.unit == 0 ? "1" : row.unit};
+  };
+  for (const OptionalRow& row : heat_rows({})) look_at(row);
+  for (const OptionalRow& row : optional_rows({})) look_at(row);
+  if (found) return *found;
   for (const Reported& row : reported)
     if (name == row.key) return {error ? "" : row.symbol, "1"};
   return {"", "1"};
@@ -549,7 +555,7 @@ std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional
   if (deep) text += units ? "depth,depth_m," : "depth,";
   text += units ? "temperature,temperature_celsius," : "temperature,";
   if (absolute(0, units)) text += "absolute_temperature_celsius,";
-  text += "error_estimate\n";
+  text += units ? "error_estimate,error_estimate_celsius\n" : "error_estimate\n";
   for (const auto& [depth, curve] : curves)
     for (const auto& [s, t, error] : curve.points) {
       if (!std::isfinite(t))
@@ -558,7 +564,9 @@ std::string curve_csv(const std::vector<DepthCurve>& curves, const std::optional
       if (deep) text += in_both(depth, units, &Units::length);
       text += in_both(t, units, &Units::temperature);
       if (const auto whole = absolute(t, units)) text += shortest(*whole) + ',';
-      text += (error ? shortest(*error) : "") + '\n';
+      text += error ? shortest(*error) : "";
+      if (units) text += error ? ',' + shortest(*error * units->temperature) : ",";
+      text += '\n';
     }
   return text;
 }

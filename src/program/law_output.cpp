@@ -151,21 +151,58 @@ nlohmann::ordered_json scene_of_law(const Scene& x, Formulation formulation) {
   return o;
 }
 
-std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene,
-                 const std::optional<LawUnits>& units, const std::string& mark) {
-  const LawUnits unit = units.value_or(LawUnits{});
+struct SiDatum {
+  const char* name;
+  double value;
+  const char* unit;
+};
+
+std::vector<SiDatum> si_data_of(const PhysicalScene& x, bool conducting) {
+  std::vector<SiDatum> all{{"load", x.load, "N/m"},
+                           {"speed", x.speed, "m/s"},
+                           {"half_width", x.half_width, "m"},
+                           {"shear_modulus", x.shear_modulus, "Pa"},
+                           {"poisson", x.poisson, ""},
+                           {"expansion", x.expansion, "1/K"},
+                           {"diffusivity", x.diffusivity, "m^2/s"},
+                           {"conductivity", x.conductivity, "W/(m K)"}};
+  if (conducting)
+    all.insert(all.end(), {{"expansion_2", x.expansion_2, "1/K"},
+                           {"diffusivity_2", diffusivity_2(x), "m^2/s"},
+                           {"conductivity_2", x.conductivity_2, "W/(m K)"}});
+  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) all.push_back({name, *value, unit});
+  };
+  add("bulk_temperature", x.bulk_temperature, "degree C");
+  add("bulk_temperature_2", x.bulk_temperature_2, "degree C");
+  if (!x.law) return all;
+  add("friction_temperature", x.law->of.scale, "K");
+  if (x.bulk_temperature)
+    add("friction_reference_temperature", *x.bulk_temperature + x.law->of.reference, "degree C");
+  return all;
+}
+
+std::string told_data(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene,
+                      const std::vector<SiDatum>& si, const std::string& mark) {
   std::string text = mark + "Rolling contact by thermoroll, dimensionless:\n";
   for (const auto& [key, value] : scene.items())
     text.append(mark).append("  " + key + " = " + value.dump() + '\n');
+  if (!si.empty()) text += mark + "In SI units:\n";
+  for (const auto& [name, value, unit] : si) {
+    const bool all_speeds = has_speeds(law) && name == std::string("speed");
+    text.append(mark).append("  ").append(name).append(" = ").append(shortest(value));
+    if (all_speeds) text += " to " + shortest(law.speeds.back());
+    text.append(*unit == 0 ? "" : " ").append(unit).append("\n");
+  }
+  return text;
+}
+
+std::string told(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene,
+                 const std::optional<LawUnits>& units, const std::vector<SiDatum>& si,
+                 const std::string& mark) {
+  const LawUnits unit = units.value_or(LawUnits{});
+  std::string text = told_data(law, scene, si, mark);
   const bool by_speed = has_speeds(law);
-  const std::string to = by_speed ? " to " + shortest(law.speeds.back()) : "";
-  if (units)
-    text += mark + "In SI units: speed = " + shortest(units->speed) + to +
-            " m/s, load = " + shortest(units->traction) + " N/m" +
-            (units->bulk_temperature
-                 ? ", bulk temperature = " + shortest(*units->bulk_temperature) + " degree C"
-                 : "") +
-            ".\n";
   text += mark + (units ? "Creep as a fraction of the speed, traction in N/m, temperature: the "
                           "largest rise over the half-space's bulk in degree C.\n"
                         : "Creep xi*, traction Q*, temperature: the largest T*.\n");
@@ -520,15 +557,20 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
 }
 
 std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation formulation,
-                     const std::optional<LawUnits>& units, Language language) {
+                     const std::optional<PhysicalScene>& si, Language language) {
   nlohmann::ordered_json scene = scene_of_law(of, formulation);
+  std::optional<LawUnits> units;
+  if (si) units = law_units(*si, of.friction);
   const LawUnits unit = units.value_or(LawUnits{});
-  const auto comment = [&](const char* mark) { return told(law, scene, units, mark); };
+  const bool conducting = kind_of(of) == RollerKind::conducting;
+  const std::vector<SiDatum> data = si ? si_data_of(*si, conducting) : std::vector<SiDatum>{};
+  const auto comment = [&](const char* mark) { return told(law, scene, units, data, mark); };
   if (language == Language::c) return in_c(law, unit, comment("// "));
   if (language == Language::python) return in_python(law, unit, comment("# "));
   if (language == Language::modelica) return in_modelica(law, unit, comment("// "));
   if (units && !has_speeds(law)) scene["speed"] = units->speed;
   if (unit.bulk_temperature) scene["bulk_temperature"] = *unit.bulk_temperature;
+  for (const SiDatum& x : data) scene["data_in_si"][x.name] = x.value;
   return in_json(law, unit, scene);
 }
 

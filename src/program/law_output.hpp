@@ -17,10 +17,10 @@ inline constexpr Name<Language> language_names[] = {{"c", Language::c},
                                                     {"modelica", Language::modelica},
                                                     {"json", Language::json}};
 
-/// A law in a language, with its units where they are known; the scene and the units of a law for a
-/// range of speeds are those at the lowest.
+/// A law in a language, with its data in SI units if it has any; the scene and the data of a law
+/// for a range of speeds are those at the lowest.
 std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation formulation,
-                     const std::optional<LawUnits>& units, Language language);
+                     const std::optional<PhysicalScene>& si, Language language);
 
 /// The first and last creep xi*, where requested, and the number of rows.
 struct CurveRange {

@@ -30,7 +30,7 @@ constexpr SceneOption si_options[] = {
      &SceneOptions::load},
     {"--speed", "m/s", "rolling speed V: if they differ much, the mean of both surfaces' speeds",
      &SceneOptions::speed},
-    {"--shear-modulus", "Pa", "shear modulus mu of both bodies", &SceneOptions::shear_modulus},
+    {"--shear-modulus", "Pa", "shear modulus mu of both bodies, or 2 mu1 mu2 / (mu1 + mu2) if they differ a little", &SceneOptions::shear_modulus},
     {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &SceneOptions::poisson},
     {"--expansion", "1/K", "thermal expansion alpha", &SceneOptions::expansion},
     {"--diffusivity", "m^2/s", "thermal diffusivity k", &SceneOptions::diffusivity},
@@ -448,7 +448,8 @@ GivenScene read_scene(const SceneOptions& o) {
     throw std::invalid_argument("--peclet and --heating exclude data in SI units; given:" + given);
   if (!missing.empty()) throw std::invalid_argument("data in SI units lack" + missing);
   if (o.half_width.has_value() == o.radius.has_value())
-    throw std::invalid_argument("data in SI units need either --half-width or --radius");
+    throw std::invalid_argument("data in SI units need either --half-width or --radius" +
+                                std::string(o.radius ? ", not both" : ""));
   PhysicalScene si{*o.load,    *o.speed,     o.half_width.value_or(0), *o.shear_modulus,
                    *o.poisson, *o.expansion, *o.diffusivity,           *o.conductivity};
   read_roller(o, si);

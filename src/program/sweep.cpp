@@ -124,6 +124,7 @@ void Sweep::put(long row, SweepRow done) {
   for (; auto& next = at(count_.rows); ++count_.rows) {
     text += next->text;
     count_.failed += !next->solved;
+    count_.noted += next->noted;
     next.reset();
   }
   output_->put(text, count_.rows - before);

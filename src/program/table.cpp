@@ -410,10 +410,12 @@ SweepRow answer(const SweepTable& t, const std::string& line) {
     const SolvedScene x = solve_scene(read_scene(read_row(settings_of(t, cells))));
     found = csv_fields(x.solution, x.physical, t.with);
     require_contact(x.solution);
-    return {row_text(t, cells, values_of(t, std::move(found), "0", "")), true};
+    const bool noted = x.physical && !x.physical->notes.empty();
+    return {row_text(t, cells, values_of(t, std::move(found), "0", "")), true, noted};
   } catch (const std::exception& error) {
     const std::string status = std::to_string(status_of(error));
-    return {row_text(t, cells, values_of(t, std::move(found), status, message_of(error))), false};
+    return {row_text(t, cells, values_of(t, std::move(found), status, message_of(error))), false,
+            false};
   }
 }
 

@@ -52,10 +52,10 @@ struct SweepTable {
   std::vector<WrittenColumn> written{};
 };
 
-/// A row of results and whether it is without an error.
+/// A row of results, whether it is without an error, and whether it has notes.
 struct SweepRow {
   std::string text;
-  bool solved;
+  bool solved, noted;
 };
 
 /// The rows of results in a file, and where the last whole one ends.

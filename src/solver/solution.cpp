@@ -477,6 +477,8 @@ bool is_of_a_wheel(const PhysicalResults& x, double least) {
   return x.hertz_pressure < least && x.half_width <= 0.1;
 }
 
+bool is_a_room_in_kelvin(double bulk) { return 273 <= bulk && bulk <= 313; }
+
 double largest_friction(const Solution& x) {
   const Scene& scene = x.scene;
   if (!scene.law) return scene.friction;
@@ -545,6 +547,10 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                     rounded(si.shear_modulus / 500, 4) +
                     " (a five-hundredth of the shear modulus): is the load that of a metre of "
                     "the contact's width and a radius in m?");
+  for (const auto& bulk : {si.bulk_temperature, si.bulk_temperature_2})
+    if (bulk && is_a_room_in_kelvin(*bulk))
+      notes.push_back("a bulk temperature of " + rounded(*bulk, 4) +
+                      " would be that of a room in K: is it in degree C?");
   if (si.law && std::abs(si.law->of.scale) < 1)
     notes.push_back("friction_temperature = " + rounded(si.law->of.scale, 3) +
                     " is below 1 in size (a kelvin): is it in K and not in units of T*?");
@@ -665,13 +671,19 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
     y.contact_temperature_celsius = *si.bulk_temperature + y.value.max_temperature_celsius;
   const Heats heat = heats(x);
   const double of_size = from_radius && x.error ? 5e-10 + error_of_kappa(x) : 0;
-  const auto in_watts = [&](const Estimate& own) -> Estimate {
-    const double all = unit.heat_flux * si.half_width, value = all * own.value;
+  const auto in_units = [&](double all, const Estimate& own) -> Estimate {
+    const double value = all * own.value;
     return {value, all * own.error + 2 * of_size * std::abs(value)};
   };
-  y.heat_1 = in_watts(heat.into_half_space);
-  y.heat_2 = in_watts(heat.into_cylinder);
-  if (x.scene.bulk_difference != 0) y.exchanged_heat = in_watts(heat.exchanged);
+  const double watts = unit.heat_flux * si.half_width;
+  y.heat_1 = in_units(watts, heat.into_half_space);
+  y.heat_2 = in_units(watts, heat.into_cylinder);
+  if (x.scene.bulk_difference != 0) {
+    const NoSlip still = no_slip(x.scene, x.approach.tolerance);
+    y.exchanged_heat = in_units(watts, heat.exchanged);
+    y.no_slip_load = in_units(si.load, {still.traction, still.traction_error});
+    y.no_slip_creep_ratio = in_units(unit.slip / si.speed, {still.creep, still.creep_error});
+  }
   if (!x.error) return y;
   y.error = converted(*x.error, *peak.error, unit, si);
   PhysicalResults& error = *y.error;

@@ -184,6 +184,19 @@ def PlacesThatAreNot():
     raises(TypeError, "at must be real numbers", thermoroll.temperature, at="0", **steel, traction=0.1)
 
 
+def ConductingRollersHaveTheirData():
+    """As the program refuses them; an expansion of zero must be told, and a diffusivity may be that of the half-space."""
+    pair = {**wheels[1], "roller": "conducting", "conductivity_2": 200.0}
+    for names in ("expansion_2", "expansion_2, conductivity_2"):
+        try:
+            thermoroll.solve(**{name: x for name, x in pair.items() if name not in names.split(", ")})
+        except TypeError as error:
+            assert str(error) == f"a conducting roller in SI units lacks {names}", error
+        else:
+            raise AssertionError(names)
+    assert thermoroll.solve(**pair, expansion_2=0.0).status == 0
+
+
 def SiDataAreWhole():
     """What is missing is named at once; the reference temperature is absolute, as on the command line."""
     raises(TypeError, "peclet is needed, or data in SI units", thermoroll.solve, friction=0.6, traction=0.1)

@@ -28,6 +28,7 @@ ProfilesThatAreNot() { run "${FUNCNAME[0]}"; }
 TemperaturesAreThoseOfTheProgram() { run "${FUNCNAME[0]}" "$build/thermoroll"; }
 PlacesThatAreNot() { run "${FUNCNAME[0]}"; }
 SiDataAreWhole() { run "${FUNCNAME[0]}"; }
+ConductingRollersHaveTheirData() { run "${FUNCNAME[0]}"; }
 RefusesWhatIsNoNumber() { run "${FUNCNAME[0]}"; }
 LawInSiUnits() { run "${FUNCNAME[0]}"; }
 Broadcasts() { run "${FUNCNAME[0]}"; }

@@ -753,7 +753,8 @@ TEST(Interface, TemperaturesAreThoseOfTheLibrary) {
       EXPECT_TRUE(std::isnan(y.pressure) && std::isnan(y.heat_flux_2) && std::isnan(y.friction));
     }
     EXPECT_EQ(points[2].temperature, points[7].temperature);
-    EXPECT_TRUE(scheme || points[5].temperature < points[1].temperature);
+    const double above = points[1].temperature;  // far ahead of the heat it may be zero
+    EXPECT_TRUE(scheme || points[5].temperature < above || above == 0);
   }
 }
 

@@ -102,8 +102,10 @@ struct FoundInSi {
   /// The largest traction, N/m, and its creep as a fraction of the speed, if there is a maximum;
   /// of a contact of this half-width.
   std::optional<Estimate> tangential_load_limit{}, creep_ratio_at_limit{};
-  Estimate heat_1{}, heat_2{};               ///< into the half-space; into the cylinder; W/m
-  std::optional<Estimate> exchanged_heat{};  ///< W/m, if the bulk temperatures differ
+  Estimate heat_1{}, heat_2{};  ///< into the half-space; into the cylinder; W/m
+  /// If the bulk temperatures differ: W/m, and the load in N/m and the creep as a fraction of the
+  /// speed without slip.
+  std::optional<Estimate> exchanged_heat{}, no_slip_load{}, no_slip_creep_ratio{};
 };
 
 /// Whether a prescribed creep is xi*, or the fraction xi of the speed.

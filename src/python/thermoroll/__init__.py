@@ -146,6 +146,10 @@ def _in_si(members: dict[str, ArrayLike | None]) -> bool:
         raise TypeError("peclet is needed, or data in SI units")
     if given and missing:
         raise TypeError(f"{given[0]} is for data in SI units, which lack {', '.join(missing)}")
+    if given and np.any(np.asarray(members.get("roller")) == "conducting"):
+        missing = [name for name in ("expansion_2", "conductivity_2") if members.get(name) is None]
+        if missing:
+            raise TypeError(f"a conducting roller in SI units lacks {', '.join(missing)}")
     return bool(given)
 
 def _over_bulk(members: dict[str, ArrayLike | None]) -> ArrayLike | None:
