@@ -86,7 +86,7 @@ void add_heats(Object& o, Object* error, const Solution& x) {
 void add_no_slip(Object& o, Object* error, const Solution& x) {
   const Scene& scene = x.scene;
   const bool bulk = scene.bulk_difference != 0;
-  const NoSlip still = bulk ? no_slip(scene, x.approach.tolerance) : NoSlip{};
+  const NoSlip still = bulk ? no_slip(x) : NoSlip{};
   const auto tell = [&](const char* key, double value, double left) {
     o[key] = bulk ? json(value) : json();
     if (error != nullptr) (*error)[key] = bulk ? json(left) : json();

@@ -60,7 +60,8 @@ double least_error_of_crossing_heat(const GridSolution& level) {
 double layer_of_coarse_grid(const Scene& scene, const GridSolution& level, double flat_tail) {
   const auto n = static_cast<double>(level.h.size());
   const double of_flux = least_error_of_crossing_heat(level);
-  return scene.bulk_difference == 0 ? std::max(of_flux, flat_tail / (n * n)) : of_flux;
+  if (scene.bulk_difference == 0) return std::max(of_flux, flat_tail / (n * n));
+  return level.at.stick == 0 ? std::max(of_flux, 2 * tail(level.h) / (n * n)) : of_flux;
 }
 
 Results error_of_bulk(const Scene& scene, const GridSolution& level, const Prescribed& given,
@@ -71,7 +72,9 @@ Results error_of_bulk(const Scene& scene, const GridSolution& level, const Presc
   error(traction) = x->rest.traction_error;
   error(creep) = error(creep_constant) = x->rest.creep_error;
   const bool at_the_edge = 1 - level.value(max_temperature_at) < 0.01;
+  const auto n = static_cast<double>(level.h.size());
   error(max_temperature) = (at_the_edge ? 4 : 1) * x->temperature_error;
+  if (level.at.stick == 0) error(max_temperature) += 0.1 / (n * n * n);
   error(heat_integral) = scene.friction * level.value(slip_length) * x->rest.creep_error;
   error += slope.abs() * error(given.quantity);
   error(given.quantity) = 0;

@@ -625,6 +625,13 @@ Heats heats(const Solution& x) {
   return {heat_1, heat_2, {heat_1.value - uniform, heat_1.error}};
 }
 
+NoSlip no_slip(const Solution& x) {
+  NoSlip still = no_slip(x.scene, x.approach.tolerance);
+  still.traction_error += x.moved.traction_error;
+  still.creep_error += x.moved.creep_error;
+  return still;
+}
+
 std::string note_on_constant_friction(const Solution& x) {
   const auto* law = x.scene.law.target<LawOfFriction>();
   const double hottest = x.value(max_temperature);
@@ -679,7 +686,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   y.heat_1 = in_units(watts, heat.into_half_space);
   y.heat_2 = in_units(watts, heat.into_cylinder);
   if (x.scene.bulk_difference != 0) {
-    const NoSlip still = no_slip(x.scene, x.approach.tolerance);
+    const NoSlip still = no_slip(x);
     y.exchanged_heat = in_units(watts, heat.exchanged);
     y.no_slip_load = in_units(si.load, {still.traction, still.traction_error});
     y.no_slip_creep_ratio = in_units(unit.slip / si.speed, {still.creep, still.creep_error});
@@ -825,6 +832,11 @@ void add_error_of_size(Solution& x, PhysicalScene si, const GivenScene& c) {
   const Prescribed given = dimensionless(si, c.given, c.unit);
   const Solution larger = solve(scene_of(si, x.scene.friction), given, c.approach);
   *x.error += (larger.value - x.value).abs();
+  if (x.scene.bulk_difference != 0) {
+    const NoSlip here = no_slip(x), there = no_slip(larger);
+    x.moved.traction_error = std::abs(there.traction - here.traction);
+    x.moved.creep_error = std::abs(there.creep - here.creep);
+  }
   auto* one = std::get_if<CoupledSolution>(&x.found);
   const auto* other = std::get_if<CoupledSolution>(&larger.found);
   if (one == nullptr || !one->limit || other == nullptr || !other->limit) return;

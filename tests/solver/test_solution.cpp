@@ -917,6 +917,28 @@ TEST(Solution, ErrorsOfARadiusAreInAllResults) {
       }
 }
 
+// With two bulk temperatures the state without slip moves with the half-width that a radius gives:
+// in this scene by ten thousand times its own error.
+TEST(Solution, ErrorsOfARadiusAreInTheStateWithoutSlip) {
+  PhysicalScene c{5.443e6, 1.147, 0, 8.1e10, 0.33, 5.571e-6, 8.686e-5, 50.94};
+  c.expansion_2 = c.expansion;
+  c.conductivity_2 = c.conductivity;
+  c.bulk_temperature = 12.54;
+  c.bulk_temperature_2 = 262.5;
+  const auto solved = [&](double to) {
+    return solve_scene(
+        {{0.299, 1, 0}, {creep, -0.001618}, {.tolerance = to}, c, 0.04094, CreepUnit::ratio});
+  };
+  const SolvedScene x = solved(1e-2), exact = solved(1e-6);
+  const NoSlip still = no_slip(x.solution), fine = no_slip(exact.solution);
+  EXPECT_NEAR(still.traction, fine.traction, still.traction_error + fine.traction_error);
+  EXPECT_NEAR(still.creep, fine.creep, still.creep_error + fine.creep_error);
+  EXPECT_GT(std::abs(still.traction - fine.traction), 1e-7);
+  const Estimate load = *x.physical->no_slip_load, ratio = *x.physical->no_slip_creep_ratio;
+  EXPECT_NEAR(load.value, exact.physical->no_slip_load->value, load.error);
+  EXPECT_NEAR(ratio.value, exact.physical->no_slip_creep_ratio->value, ratio.error);
+}
+
 // The scaled creep is typed again here. Whatever is not a creep ratio stays as it is.
 TEST(Solution, CreepRatioIsTheCreepOfItsHalfWidth) {
   const PhysicalScene c = wheel_on_rail();

@@ -31,6 +31,7 @@ struct Solution {
   std::string reason{};                 ///< why that one; empty for the scheme
   std::vector<Violation> violations{};  ///< of @eq:admissible; empty for a contact
   std::vector<GridStep> trace{};        ///< the grids of the coupled solver; empty for the others
+  NoSlip moved{};  ///< the errors of no_slip() by that of a half-width, which follows from a radius
 };
 
 /// Solve the scene for the prescribed quantity. A negative traction or creep brakes, whatever the
@@ -63,6 +64,9 @@ struct Heats {
 };
 
 Heats heats(const Solution& x);
+
+/// Traction and creep without slip of the scene of a solution, with the errors of its half-width.
+NoSlip no_slip(const Solution& x);
 
 FoundPeaks peaks(const Solution& x);
 
