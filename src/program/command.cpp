@@ -604,8 +604,8 @@ void add_solve(CLI::App& program, Options& o) {
       .add_option(
           "--profile", o.profile,
           "write s, p*, q*, v*, heat flux and T* to this file, f of a law, and the largest "
-          "error of each; s from -1, where the surfaces enter the contact, to 1 (just inside "
-          "if bulk temperatures differ)")
+          "error of each at one distance from the border; s from -1, where the surfaces enter the "
+          "contact, to 1 (just inside if bulk temperatures differ)")
       ->type_name("FILE")
       ->check(file_name("profile"));
   command

@@ -70,6 +70,9 @@ struct LawTable {
   std::vector<double> numbers{};
 };
 
+/// The last creep and the rounding of a creep in other units and over that without slip.
+double past_rounding(double last, double rest) { return last + 4e-16 * (last + std::abs(rest)); }
+
 /// For both sides of each law unit_creep, last_creep and the first piece, with the number of pieces
 /// at the end; then the ends of all pieces and their coefficients, law_terms for each.
 std::vector<LawTable> tables_of(const CreepLawBySpeed& by_speed) {
@@ -84,7 +87,7 @@ std::vector<LawTable> tables_of(const CreepLawBySpeed& by_speed) {
         t.numbers.insert(t.numbers.end(), piece.temperature.begin(), piece.temperature.end());
       }
       unit.numbers.push_back(half->unit_creep);
-      last.numbers.push_back(half->last_creep);
+      last.numbers.push_back(past_rounding(half->last_creep, law.no_slip_creep));
       first.numbers.push_back(static_cast<double>(from.numbers.size()));
     }
   return {unit, last, first, from, to, q, t};

@@ -576,7 +576,8 @@ std::optional<LawValue> evaluate(const CreepLaw& law, double creep) {
 
 double border_error_at(const CreepLaw& law, double creep) {
   const LawSide side = side_of(law, creep);
-  const bool slips = side.size > (1 + law.border_error) * side.half.unit_creep;
+  const double slow = law.no_slip_creep != 0 ? 0.05 : 0;  // a bulk difference
+  const bool slips = side.size > (1 + slow + law.border_error) * side.half.unit_creep;
   return slips ? 0 : law.border_error;
 }
 
