@@ -1977,6 +1977,22 @@ END
 }
 
 # A law names its scene as a result does, in JSON and in the comment of a program.
+# The number that is told as an end is on the law: rounding in other units does not put it beyond.
+LawEndsWhereItSays() {
+  run law --format python --output law.py --friction 0.5463 --load 5.836e6 --speed 7.334 --half-width 0.008557 --shear-modulus 8.1e10 \
+    --poisson 0.3 --expansion 1.036e-5 --diffusivity 3.237e-5 --conductivity 72.01 --roller conducting --conductivity-2 20 \
+    --expansion-2 1.1e-5 --diffusivity-2 1.444e-5 --bulk-temperature 27.98 --bulk-temperature-2 71.2 \
+    --friction-law rational --friction-temperature 578.3 --friction-floor 0.4237 --tolerance 1e-5
+  [ $status -eq 0 ] || fail "$(cat err)"
+  python3 - <<'END' || fail "$(grep ends law.py)"
+import re, sys
+sys.path.insert(0, ".")
+import law
+ends = [float(x) for x in re.findall(r"ends at the creep (\S+):", open("law.py").read())]
+assert len(ends) == 2 and all(law.creep_law(end)[3] == 0 and law.creep_law(end * (1 + 1e-13))[3] == 1 for end in ends), ends
+END
+}
+
 LawTellsItsScene() {
   local scene=(--friction 0.6 --peclet 10 --heating 0.01 --tolerance 1e-2 --roller conducting
     --conductivity-ratio 2 --heating-2 0.02 --peclet-2 20 --bulk-difference 0.001
