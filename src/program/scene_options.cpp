@@ -26,7 +26,8 @@ constexpr SceneOption group_options[] = {
      &SceneOptions::heating}};
 
 constexpr SceneOption si_options[] = {
-    {"--load", "N/m", "load per unit length P = pi a p0 / 2: of a wheel load / contact width, 3/2 in its middle",
+    {"--load", "N/m",
+     "load per unit length P = pi a p0 / 2: of a wheel load / contact width, 3/2 in its middle",
      &SceneOptions::load},
     {"--speed", "m/s", "rolling speed V: if they differ much, the mean of both surfaces' speeds",
      &SceneOptions::speed},
