@@ -64,6 +64,18 @@ END
   [ "$(cell traction 2) $(cell status 2)" = "-0.5 0" ] || fail "$(cat results.csv)"
 }
 
+# How many rows have notes is told, also where their column is not asked for.
+RowsWithNotesAreCounted() {
+  printf 'creep-ratio\n0.002\n2\n5\n' >scenes.csv
+  local wheel=(--friction 0.35 --load 1.2e7 --speed 40 --half-width 7.8e-3 --shear-modulus 8.1e10 --poisson 0.3
+    --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50 --roller identical)
+  sweeps 0 "${wheel[@]}" --columns creep-ratio,status
+  [ "$(cat err)" = "thermoroll: note: 2 of 3 rows have notes: see their column notes" ] || fail "$(cat err)"
+  sed -i '3,$d' scenes.csv
+  sweeps 0 "${wheel[@]}" --columns creep-ratio,status
+  [ ! -s err ] || fail "$(cat err)"
+}
+
 # Laws and branches are columns as all options; a column for the law brings what it has added, and
 # one for the bulk temperature the absolute temperature.
 LawsOfFriction() {

@@ -508,6 +508,9 @@ TEST(CreepLaw, GoesOnInFullSlipBeyondASmallTurn) {
     EXPECT_NEAR(before.traction, after.traction, law.traction_error);
     EXPECT_NEAR(before.temperature, after.temperature, law.temperature_error);
     EXPECT_NEAR(before.border, after.border, law.border_error);
+    const double unit = law.driving.unit_creep;  // the border goes to -1 slowly
+    EXPECT_EQ(border_error_at(law, law.no_slip_creep + 1.04 * unit), law.border_error);
+    EXPECT_EQ(border_error_at(law, law.no_slip_creep + 1.1 * unit), 0);
     for (const double creep : {0.7 * joint, 1.02 * joint, 0.3, 1.1, 3.9}) {
       const CoupledSolution x = solved(wheel, creep, 1e-6);
       const LawValue y = evaluate(law, creep).value();
