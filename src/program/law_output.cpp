@@ -536,8 +536,10 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
   const bool bulk = units && units->bulk_temperature;
   if (units) text += ",creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius";
   if (bulk) text += ",contact_temperature_celsius";
-  text +=
-      ",error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature\n";
+  text += ",error_estimate.traction,error_estimate.stick_slip_border";
+  text += ",error_estimate.max_temperature";
+  if (units) text += ",error_estimate.tangential_load,error_estimate.max_temperature_celsius";
+  text += '\n';
   for (const double creep : creeps) {
     const LawValue x = finite_value(law, creep);
     const LawSide side = side_of(law, creep);
@@ -548,9 +550,11 @@ std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& cree
       more = {ratio, ratio * units->speed, x.traction * units->traction, rise};
       if (bulk) more.push_back(*units->bulk_temperature + rise);
     }
-    more.push_back(law.traction_error);
-    more.push_back(border_error_at(law, creep));
-    more.push_back(law.temperature_error * std::max(1.0, side.size / side.half.unit_creep));
+    const double grown = std::max(1.0, side.size / side.half.unit_creep);
+    const double error = law.temperature_error * grown;
+    more.insert(more.end(), {law.traction_error, border_error_at(law, creep), error});
+    if (units) more.push_back(law.traction_error * units->traction);
+    if (units) more.push_back(error * units->temperature);
     text += unsigned_zero(creep) + ',' + unsigned_zero(x.traction) + ',' + shortest(x.border) +
             ',' + (full ? "true" : "false") + ',' + unsigned_zero(x.temperature);
     for (const double number : more) text += ',' + unsigned_zero(number);

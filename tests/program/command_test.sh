@@ -2237,7 +2237,7 @@ CreepCurveHasARange() {
 
 CreepCurveInSiUnits() {
   answers creep-curve "${wheel[@]}" --bulk-temperature 20 --from 0 --to 0.3 --points 3
-  [ "$(head -1 out)" = "creep,traction,stick_slip_border,full_slip,max_temperature,creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius,contact_temperature_celsius,error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature" ] ||
+  [ "$(head -1 out)" = "creep,traction,stick_slip_border,full_slip,max_temperature,creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius,contact_temperature_celsius,error_estimate.traction,error_estimate.stick_slip_border,error_estimate.max_temperature,error_estimate.tangential_load,error_estimate.max_temperature_celsius" ] ||
     fail "$(head -1 out)"
   tail -1 out | tr , ' ' >row
   local creep traction border full temperature ratio speed force rise absolute rest
@@ -2248,7 +2248,11 @@ CreepCurveInSiUnits() {
   near "$force" "$(calculate "1.2e7 * $(value traction)")" 1200
   near "$rise" "$(value max_temperature_celsius)" "$(calculate "1e-4 * $(value max_temperature_celsius)")"
   near "$absolute" "$(calculate "20 + $rise")" 1e-9
-  [ "$border $full $temperature $rest" != "   " ] || fail "no columns"
+  local of_q of_c of_t of_force of_rise
+  IFS=' ' read -r of_q of_c of_t of_force of_rise <<<"$rest"
+  near "$of_force" "$(calculate "1.2e7 * $of_q")" 1e-6
+  near "$(calculate "$of_rise / $of_t")" "$(calculate "$rise / $temperature")" 1e-6
+  [ "$border $full $of_c" != "  " ] || fail "no columns"
 }
 
 BadCurves() {
