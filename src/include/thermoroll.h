@@ -162,7 +162,8 @@ struct thermoroll_point {
   double depth;                     ///< y / a in the half-space: 0 along the contact; any >= 0
   double temperature_error;         ///< estimated, absolute; along the contact the largest
   double friction;                  ///< the coefficient at T*: f, or that of a law
-  double pressure_error, traction_error, slip_error, heat_flux_error;  ///< likewise
+  /// Likewise, at the same distances from the edges and the border, which has its own error.
+  double pressure_error, traction_error, slip_error, heat_flux_error;
 };
 
 /// The law of all creeps of a scene.

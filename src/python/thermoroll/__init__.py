@@ -379,7 +379,7 @@ class Profile:
     heat_flux_1: NDArray  #: into the half-space
     heat_flux_2: NDArray  #: into the roller
     friction: NDArray  #: the coefficient of friction at T*
-    pressure_error: NDArray  #: estimated, absolute, the largest along the contact at each point
+    pressure_error: NDArray  #: estimated, absolute; the largest, at one distance from the border
     traction_error: NDArray
     slip_error: NDArray
     heat_flux_error: NDArray
