@@ -207,7 +207,7 @@ FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 /// The heat flux v* p* of a solution.
 HeatFlux coupled_flux(const CoupledSolution& x);
 
-/// Estimated absolute errors of a profile, of each curve the largest, at the same distances from the
+/// Estimated absolute errors of a profile, of each curve the largest at the same distances from the
 /// edges and from the border, which has an error of its own; dimensionless.
 struct ProfileErrors {
   double pressure, traction, slip, heat_flux, temperature;
