@@ -901,10 +901,10 @@ UnlikeRollers() {
     --tolerance 1e-9 --format json
   near "$(value traction)" 0.5044965880771926 2e-9
   near "$(value heat_1)" 0.0905927482340755 1e-8
-  local si=("${steel[@]}" --half-width 5.5e-3 --roller conducting --conductivity-2 200 --expansion-2 2.3e-5)
+  local si=("${steel[@]}" --half-width 5.5e-3 --roller conducting --conductivity-2 70 --expansion-2 2.3e-5)
   answers solve "${si[@]}" --diffusivity-2 8e-5 --format json
   near "$(value peclet_2)" "$(calculate "22.2 * 5.5e-3 / (2 * 8e-5)")" 1e-10
-  near "$(value heating_2)" "$(calculate "2 * 2.3e-5 * 1.3 * 8e-5 * 1.2e7 / (5.5e-3 * 200)")" 1e-15
+  near "$(value heating_2)" "$(calculate "2 * 2.3e-5 * 1.3 * 8e-5 * 1.2e7 / (5.5e-3 * 70)")" 1e-15
   answers solve "${si[@]}" --diffusivity-2 1.4e-5 --format json
   mv out same
   answers solve "${si[@]}" --format json
