@@ -65,6 +65,17 @@ LawValue finite_value(const CreepLaw& law, double creep) {
   return *x;
 }
 
+std::string curve_header(const std::optional<LawUnits>& units) {
+  const bool bulk = units && units->bulk_temperature;
+  std::string text = "creep,traction,stick_slip_border,full_slip,max_temperature";
+  if (units) text += ",creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius";
+  if (bulk) text += ",contact_temperature_celsius";
+  text += ",error_estimate.traction,error_estimate.stick_slip_border";
+  text += ",error_estimate.max_temperature";
+  if (units) text += ",error_estimate.tangential_load,error_estimate.max_temperature_celsius";
+  return text + '\n';
+}
+
 struct LawTable {
   const char* name;
   std::vector<double> numbers{};
@@ -532,14 +543,8 @@ std::vector<double> curve_points(const CreepLaw& law, const CurveRange& range, d
 
 std::string creep_curve_csv(const CreepLaw& law, const std::vector<double>& creeps,
                             const std::optional<LawUnits>& units) {
-  std::string text = "creep,traction,stick_slip_border,full_slip,max_temperature";
+  std::string text = curve_header(units);
   const bool bulk = units && units->bulk_temperature;
-  if (units) text += ",creep_ratio,creep_speed_m_per_s,tangential_load,max_temperature_celsius";
-  if (bulk) text += ",contact_temperature_celsius";
-  text += ",error_estimate.traction,error_estimate.stick_slip_border";
-  text += ",error_estimate.max_temperature";
-  if (units) text += ",error_estimate.tangential_load,error_estimate.max_temperature_celsius";
-  text += '\n';
   for (const double creep : creeps) {
     const LawValue x = finite_value(law, creep);
     const LawSide side = side_of(law, creep);
