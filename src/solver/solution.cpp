@@ -338,7 +338,7 @@ Peaks largest_change(const SmoothTractions& from, const SmoothTractions& to, dou
           of(&Curves::slip_traction, &Curves::stick_traction), change(&Curves::heat_flux)};
 }
 
-int beside(int n) { return n > 320 ? 2 * n / 3 : 3 * n / 2; }
+int other_grid(int n) { return n > 320 ? 2 * n / 3 : 3 * n / 2; }
 
 double relative_error_of_heat(const Solution& x) {
   const Results relative = *x.error / scale_in(x.scene, x.value);
@@ -346,7 +346,7 @@ double relative_error_of_heat(const Solution& x) {
 }
 
 FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
-  const int n = found.unknowns, other = beside(n);
+  const int n = found.unknowns, other = other_grid(n);
   const double f = x.scene.friction, half = found.value(slip_length) / 2;
   CoupledSolution hot = found;
   hot.scene = x.scene;  // with heat, which the closed form leaves out
@@ -394,7 +394,7 @@ ProfileErrors errors_along(const Solution& x, const Profile& y, const Curve& tem
     CoupledSolution with_heat = *found;
     with_heat.scene = x.scene;
     const SmoothTractions own = smooth_tractions(*found, found->unknowns);
-    const SmoothTractions other = smooth_tractions(with_heat, beside(found->unknowns));
+    const SmoothTractions other = smooth_tractions(with_heat, other_grid(found->unknowns));
     moved = change_along(own, other, x.scene.friction);
     rounding = relative_error_of_heat(x);
   }
