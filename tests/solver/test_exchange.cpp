@@ -937,8 +937,10 @@ TEST(Exchange, FullSlipWithABulkDifferenceHasTheErrorOfItsEdges) {
   Scene braking{0.3009, 28.15, 0.003257, {5.322, 0.00531, 278.1}};
   braking.bulk_difference = 0.00332;
   braking.direction = Direction::braking;
-  for (const Missed& x :
-       {missed(slow, 2.298, 1e-6), missed(hot, 1.583345255, 1e-5), missed(braking, 1.186, 1e-5)}) {
+  Scene cold{0.7495740139, 88.50970757, 0.0264296571, {5.332342374, 0.01740944146, 22.20652626}};
+  cold.bulk_difference = -0.02327838369;  // 26 times the largest temperature
+  for (const Missed& x : {missed(slow, 2.298, 1e-6), missed(hot, 1.583345255, 1e-5),
+                          missed(braking, 1.186, 1e-5), missed(cold, 0.9136346427, 1e-4)}) {
     EXPECT_LE(x.tolerance, 1);
     EXPECT_LE(x.stated, 1);
   }
