@@ -72,9 +72,7 @@ Results error_of_bulk(const Scene& scene, const GridSolution& level, const Presc
   error(traction) = x->rest.traction_error;
   error(creep) = error(creep_constant) = x->rest.creep_error;
   const bool at_the_edge = 1 - level.value(max_temperature_at) < 0.01;
-  const auto n = static_cast<double>(level.h.size());
   error(max_temperature) = (at_the_edge ? 4 : 1) * x->temperature_error;
-  if (level.at.stick == 0) error(max_temperature) += 2 * tail(level.h) / (n * n);
   error(heat_integral) = scene.friction * level.value(slip_length) * x->rest.creep_error;
   error += slope.abs() * error(given.quantity);
   error(given.quantity) = 0;
