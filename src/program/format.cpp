@@ -137,17 +137,14 @@ struct OptionalRow {
   std::optional<Estimate> found;
 };
 
-std::array<OptionalRow, 3> heat_rows(const FoundInSi& x) {
-  return {{{"heat_1", "W/m", x.heat_1},
-           {"heat_2", "W/m", x.heat_2},
-           {"exchanged_heat", "W/m", x.exchanged_heat}}};
-}
-
-std::array<OptionalRow, 5> optional_rows(const FoundInSi& x) {
+std::array<OptionalRow, 8> optional_rows(const FoundInSi& x) {
   std::optional<Estimate> contact;
   const double error = x.error ? x.error->max_temperature_celsius : 0;
   if (x.contact_temperature_celsius) contact = {*x.contact_temperature_celsius, error};
-  return {{{"contact_temperature_celsius", "degree C", contact},
+  return {{{"heat_1", "W/m", x.heat_1},
+           {"heat_2", "W/m", x.heat_2},
+           {"exchanged_heat", "W/m", x.exchanged_heat},
+           {"contact_temperature_celsius", "degree C", contact},
            {"no_slip_tangential_load", "N/m", x.no_slip_load},
            {"no_slip_creep_ratio", "", x.no_slip_creep_ratio},
            {"tangential_load_limit", "N/m", x.tangential_load_limit},
@@ -166,12 +163,10 @@ void add(Object& o, const Results& values) {
 void add_physical(Object& o, Object& error, const FoundInSi& physical) {
   add(o, physical_rows, physical.value);
   if (physical.error) add(error, physical_rows, *physical.error);
-  const auto tell = [&](const OptionalRow& row) {
-    o[row.name] = row.found ? json(row.found->value) : json();
-    if (physical.error) error[row.name] = row.found ? json(row.found->error) : json();
-  };
-  for (const OptionalRow& row : heat_rows(physical)) tell(row);
-  for (const OptionalRow& row : optional_rows(physical)) tell(row);
+  for (const auto& [name, unit, found] : optional_rows(physical)) {
+    o[name] = found ? json(found->value) : json();
+    if (physical.error) error[name] = found ? json(found->error) : json();
+  }
 }
 
 /// The values and errors of a solution by their keys; the errors are empty where none are known.
@@ -402,19 +397,21 @@ void add_row(Table& table, const TextRow& x) {
                    x.error > 0 ? digits(x.error, 1) : "", x.unit});
 }
 
+bool is_heat(std::string_view name) { return name.find("heat") != std::string_view::npos; }
+
 void add_physical(Table& table, const FoundInSi& physical) {
   for (const auto& row : physical_rows) {
     const double error = physical.error ? *physical.error.*row.value : 0;
     add_row(table, {row.name, row.symbol, physical.value.*row.value, error, 6, row.unit});
   }
   for (const auto& [name, unit, found] : optional_rows(physical))
-    if (found) add_row(table, {name, "", found->value, found->error, 6, unit});
+    if (found && !is_heat(name)) add_row(table, {name, "", found->value, found->error, 6, unit});
 }
 
 void add_heats(Table& table, const json& o, const std::optional<FoundInSi>& physical) {
   if (physical) {
-    for (const auto& [name, unit, found] : heat_rows(*physical))
-      if (found) add_row(table, {name, "", found->value, found->error, 6, unit});
+    for (const auto& [name, unit, found] : optional_rows(*physical))
+      if (found && is_heat(name)) add_row(table, {name, "", found->value, found->error, 6, unit});
     return;
   }
   const json& errors = o["error_estimate"];
@@ -508,13 +505,8 @@ ColumnMeaning meaning_of(const std::string& column) {
   const bool physical = column.find("physical.") == 0, error = name != column && !physical;
   for (const auto& row : physical_rows)
     if (physical && name == row.name) return {row.symbol, *row.unit == 0 ? "1" : row.unit};
-  std::optional<ColumnMeaning> found;
-  const auto look_at = [&](const OptionalRow& row) {
-    if (physical && name == row.name) found = {"", *row.unit == 0 ? "1" : row.unit};
-  };
-  for (const OptionalRow& row : heat_rows({})) look_at(row);
-  for (const OptionalRow& row : optional_rows({})) look_at(row);
-  if (found) return *found;
+  for (const OptionalRow& row : optional_rows({}))
+    if (physical && name == row.name) return {"", *row.unit == 0 ? "1" : row.unit};
   for (const Reported& row : reported)
     if (name == row.key) return {error ? "" : row.symbol, "1"};
   return {"", "1"};
