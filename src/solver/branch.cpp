@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/exchange.hpp"
+#include "solver/full_slip.hpp"
 #include "solver/grid_solution.hpp"
 #include "solver/linear_system.hpp"
 #include "support/number_text.hpp"
@@ -64,10 +65,14 @@ struct CurveSamples {
   bool whole = true;  // all points were admissible
 };
 
+bool turns_back(const CreepCurve& curve, const GridSolution& x) {
+  return curve.scene.bulk_difference != 0 && should_stick_at_edge(x);
+}
+
 /// Put the solution at rho before the point of this index.
 bool add(CurveSamples& x, std::size_t index, double rho, const GridSolution& from) {
   const OnCurve now{rho, solution_on(x.curve, rho, from)};
-  const bool solved = now.solution.newton_steps > 0;
+  const bool solved = now.solution.newton_steps > 0 && !turns_back(x.curve, now.solution);
   x.whole = x.whole && solved && now.solution.violations.empty();
   if (solved) x.points.insert(x.points.begin() + static_cast<std::ptrdiff_t>(index), now);
   return solved;
@@ -94,6 +99,14 @@ void approach_end(CurveSamples& x, double asked, double place) {
   }
 }
 
+/// Put samples between the last one, which has a stick zone, and full slip.
+void approach_turn(CurveSamples& x) {
+  if (x.points.empty()) return;
+  const double left = 1 - x.points.back().rho;
+  for (const double share : {0.5, 0.25, 0.12, 0.05, 0.02})
+    add(x, x.points.size(), 1 - share * left, continued(x.points, 1 - share * left));
+}
+
 CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) {
   CurveSamples x{curve};
   const double more = beyond_no_slip(curve.scene, {traction, asked}).value;
@@ -107,6 +120,7 @@ CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) 
     const double rho = place < 1 ? first + (1 - first) * place : place;
     const bool solved = add(x, size, rho, continued(x.points, rho));
     if (!solved) unsolved = std::min(unsolved, rho);
+    if (!solved && rho == 1 && curve.scene.bulk_difference != 0) approach_turn(x);
     if (!solved || size == 0) continue;
     if (falls(size) && (branch == Branch::rising || x.points.back().traction() < asked)) break;
   }
@@ -304,6 +318,11 @@ bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
          two[0].traction() > results_at(top)(traction) * (1 - 1e-6);
 }
 
+bool turns_back(const CreepCurve& curve, const Points& points) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const OnCurve& x) { return turns_back(curve, x.solution); });
+}
+
 void begin_full_slip(const CreepCurve& curve, Highest& top) {
   const GridSolution first = next_to_full_slip(curve.scene, curve.formulation, curve.n);
   if (first.newton_steps == 0) return;
@@ -313,15 +332,14 @@ void begin_full_slip(const CreepCurve& curve, Highest& top) {
 /// The error by the other side of full slip: none if that is not higher, else the difference of the
 /// results. If it is higher by more than rounding, the maximum and its points are moved there.
 Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
-  const double near = curve.scene.bulk_difference == 0 ? 1e-3 : 0.1;
-  if (std::abs(top.rho - 1) > near) return Results::Zero();
+  if (!is_next_to_full_slip(top)) return Results::Zero();
   if (top.rho == 1 && !top.sticks) begin_full_slip(curve, top);
   Highest other{top.local, 1, !top.sticks};
   const Points beside = around(curve, other, true, 0.02, points[0].solution);
   if (beside.size() < 7) return Results::Zero();
   move_to(beside, other.local, other);
   const GridSolution there = solution_on(curve, other.rho, highest_point(beside).solution);
-  if (there.newton_steps == 0) return Results::Zero();
+  if (there.newton_steps == 0 || turns_back(curve, there)) return Results::Zero();
   const Results higher = there.value - results_at(top);
   const double share = higher(traction) / std::abs(results_at(top)(traction));
   if (share < (other.rho == 1 ? 1e-9 : 0)) return Results::Zero();
@@ -379,9 +397,10 @@ Results parts(const Highest& top, const Results& change_before, double part) {
   return all;
 }
 
-/// None if a range of creeps has the largest traction. Errors may be above the tolerance on the
-/// finest grid, that of the creep thrice so at high speed, and next to a corner of the curve. An
-/// unknown error is infinite. The curve and its maximum become those of the last grid.
+/// None if a range of creeps has the largest traction, or the curve rises to where it turns back.
+/// Errors may be above the tolerance on the finest grid, that of the creep thrice so at high speed,
+/// and next to a corner of the curve. An unknown error is infinite. The curve and its maximum
+/// become those of the last grid.
 std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance, Highest& top,
                                             GridSolution level) {
   Results last = results_at(top), change = Results::Zero();
@@ -397,7 +416,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance,
     const double before = top.rho;
     inside = follow(curve, coarse, top, points);
     const bool range = is_range(curve, top, points);
-    if (range && n > 40) return std::nullopt;
+    if ((range || turns_back(curve, points)) && n > 40) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);
     const Results now = results_at(top), change_before = change;
     change = (now - last).abs();

@@ -260,12 +260,22 @@ double creep_of_full_slip(const Scene& scene, Formulation formulation, int n, do
   return left > std::max(4 * std::abs(fine - coarse), 1e-4 * fine) ? fine : limit(160);
 }
 
-/// That creep, if the whole contact slips at the prescribed one.
+/// That creep, if it is before the prescribed one.
 std::optional<double> full_slip_before(const Scene& scene, Formulation formulation, int n,
                                        const Prescribed& given) {
   if (given.quantity != creep) return {};
   const double from = creep_of_full_slip(scene, formulation, std::max(40, n), given.value);
   return given.value >= from ? std::optional(from) : std::nullopt;
+}
+
+/// The creep at which full slip begins, if the whole contact slips at the prescribed one.
+std::optional<double> full_slip_at(const Scene& scene, Formulation formulation, int n,
+                                   const Prescribed& given) {
+  const auto from = full_slip_before(scene, formulation, n, given);
+  if (!from || scene.bulk_difference == 0 || given.value > 1.1 * *from) return from;
+  SlippingGrids grids{scene, formulation};
+  const GridSolution x = solve_slipping_grid(grids, 80, given.value, {});
+  return should_stick_at_edge(x) ? std::nullopt : from;
 }
 
 /// The end of a message; nothing unless a creep is given, and one with a contact is known.
@@ -275,6 +285,26 @@ std::string known_limit(const Scene& scene, Formulation formulation, const Presc
   if (scene.direction == Direction::driving)
     return "; the creep_limit is at least " + rounded_down(known, 4);
   return "; the creep_limit is at most " + rounded_up(-known, 4);
+}
+
+GridSolution slipping_from(double begin) {
+  GridSolution level;
+  level.value(creep) = begin;
+  return level;
+}
+
+/// After the last search for it. No newton_steps, and the creep at which full slip begins, if that
+/// is before the prescribed one; else throws std::runtime_error.
+GridSolution without_border(const Scene& scene, Formulation formulation, const Prescribed& given,
+                            const GridSolution& tried) {
+  if (scene.bulk_difference != 0)
+    if (const auto from = full_slip_before(scene, formulation, 80, given))
+      return slipping_from(*from);
+  if (std::min(tried.at.slip, tried.at.stick) < 1e-13)
+    throw std::runtime_error(
+        "coupled: the border is within 1e-13 of an end of the contact, too near to resolve");
+  throw std::runtime_error("coupled: no solution found near the border " + shortest(tried.at.c0()) +
+                           without_friction(scene) + known_limit(scene, formulation, given));
 }
 
 /// The solution on the first grid that has a contact, or else on the finest that has a border; the
@@ -299,19 +329,11 @@ GridSolution coarse_solution(const Scene& scene, Formulation formulation, int di
     if (tried.newton_steps > 0) {
       level = tried;
       slope = better;
-    } else if (const auto from = full_slip_before(scene, formulation, n, given)) {
-      level = {};
-      level.value(creep) = *from;
-      return level;
+    } else if (const auto from = full_slip_at(scene, formulation, n, given)) {
+      return slipping_from(*from);
     }
   }
-  if (level.newton_steps == 0 && std::min(tried.at.slip, tried.at.stick) < 1e-13)
-    throw std::runtime_error(
-        "coupled: the border is within 1e-13 of an end of the contact, too near to resolve");
-  if (level.newton_steps == 0)
-    throw std::runtime_error("coupled: no solution found near the border " +
-                             shortest(tried.at.c0()) + without_friction(scene) +
-                             known_limit(scene, formulation, given));
+  if (level.newton_steps == 0) return without_border(scene, formulation, given, tried);
   if (scene.bulk_difference != 0 && given.quantity != stick_slip_border) {
     const auto n = static_cast<int>(level.h.size());
     const double step = 1e-3 * std::min(level.at.slip, level.at.stick);
@@ -708,8 +730,7 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
   const GridSolution level = coarse_solution(scene, formulation, digits, given, slope);
   std::optional<double> full_slip;  // the creep at which it begins, if before the prescribed one
   if (level.newton_steps == 0) full_slip = level.value(creep);
-  if (level.at.stick < 0.05 && !full_slip)
-    full_slip = full_slip_before(scene, formulation, 40, given);
+  if (level.at.stick < 0.05 && !full_slip) full_slip = full_slip_at(scene, formulation, 40, given);
   if (!full_slip) {
     struct AllSlips : std::exception {};
     try {
@@ -718,7 +739,7 @@ CoupledSolution solve_coupled(const Scene& scene, const Approach& approach,
         GridSolution next =
             at_predicted_border(scene, formulation, n, given, last, is_coarse, slope);
         const bool at_the_edge = n >= 60 && next.at.stick < 1e-3;
-        if (at_the_edge) full_slip = full_slip_before(scene, formulation, 160, given);
+        if (at_the_edge) full_slip = full_slip_at(scene, formulation, 160, given);
         if (full_slip) throw AllSlips{};
         return next;
       });

@@ -178,6 +178,13 @@ void forget_the_edge(GridSolution& x, double length, bool also_others) {
   all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
 }
 
+bool should_stick_at_edge(const GridSolution& x) {
+  const auto at_the_edge = [](const Violation& v) {
+    return v.what == "backward slip" && v.from < -0.99 && v.to - v.from > 0.002;
+  };
+  return std::any_of(x.violations.begin(), x.violations.end(), at_the_edge);
+}
+
 CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, double creep) {
   const Formulation formulation = approach.formulation;
   SlippingGrids grids{scene, formulation};

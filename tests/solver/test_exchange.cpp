@@ -946,6 +946,38 @@ TEST(Exchange, FullSlipWithABulkDifferenceHasTheErrorOfItsEdges) {
   }
 }
 
+// The creep has its maximum 0.3393 at the border -0.993 and 0.3325 where all slips. Between them
+// full slip has the same creep, but its leading edge slips backward over more than a hundredth of
+// the half-width. It was found there.
+TEST(Exchange, CreepOfTwoSolutionsHasTheLongerStickZone) {
+  using enum Quantity;
+  Scene hot{0.5463, 969.37, 0.008258, {0.27774, 0.014083, 2173.03}};
+  hot.bulk_difference = 0.0112915;
+  hot.law = rational_friction({0.151085, 0.4237});
+  const Approach approach{Formulation::corrected, 1e-5};
+  for (const double border : {-0.95, -0.98}) {
+    const CoupledSolution sticks = solve_coupled(hot, approach, {stick_slip_border, border});
+    const CoupledSolution x = solve_coupled(hot, approach, {creep, sticks.value(creep)});
+    EXPECT_NEAR(x.value(traction), sticks.value(traction),
+                x.error(traction) + sticks.error(traction));
+    EXPECT_NEAR(x.value(stick_slip_border), border, 1e-5);
+  }
+  const double all_slips = solve_coupled(hot, approach, {creep, 0.342}).value(stick_slip_border);
+  EXPECT_EQ(all_slips, -1);
+}
+
+// The largest creep of a stick zone is smaller than the least at which the leading edge slips
+// forward. Between them is no contact, and the solution in full slip says so.
+TEST(Exchange, ACreepBetweenStickAndFullSlipIsNoContact) {
+  using enum Quantity;
+  Scene scene{0.72643, 11.5716, 0.0203127, {0.718737, 0.050048, 77.6995}};
+  scene.bulk_difference = 0.12227;
+  scene.law = rational_friction({0.192668, 0.713928});
+  const CoupledSolution x = solve_coupled(scene, {Formulation::corrected, 1e-4}, {creep, 0.41034});
+  EXPECT_EQ(x.value(stick_slip_border), -1);
+  EXPECT_FALSE(x.violations.empty());
+}
+
 // Bodies whose diffusivities differ by 1e-14 have the error of those that are alike.
 TEST(Exchange, NearlyAlikeBodiesHaveTheErrorsOfAlikeOnes) {
   const double peclet = 157.47145935377307, other = 157.47145935377338;
