@@ -399,8 +399,7 @@ Results parts(const Highest& top, const Results& change_before, double part) {
 
 /// None if a range of creeps has the largest traction, or the curve rises to where it turns back.
 /// Errors may be above the tolerance on the finest grid, that of the creep thrice so at high speed,
-/// and next to a corner of the curve. An unknown error is infinite. The curve and its maximum
-/// become those of the last grid.
+/// and next to a corner of the curve; unknown, infinite. Curve and top become the last grid's.
 std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance, Highest& top,
                                             GridSolution level) {
   Results last = results_at(top), change = Results::Zero();
