@@ -281,7 +281,7 @@ Results error_of_law(const Highest& top, const Points& points, const Results& sc
 
 /// None finer if it is the same.
 int finer_than(int n) {
-  const int next = n < 40 ? unknowns_after(n) : 2 * n;
+  const int next = n < 40 ? unknowns_after(n, false) : 2 * n;
   if (next <= most_unknowns) return next;
   return 4 * n <= 3 * most_unknowns ? most_unknowns : n;
 }

@@ -702,7 +702,8 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
       level = last;
     }
     if (n == most_unknowns) break;
-    n = scene.law ? unknowns_after(n) : next_unknowns(scene, n, last, level, worst / tolerance);
+    n = scene.law ? unknowns_after(n, scene.bulk_difference != 0)
+                  : next_unknowns(scene, n, last, level, worst / tolerance);
   }
   const bool only_verdict = found.worst() <= tolerance;
   throw NotResolved((only_verdict ? "coupled: whether it is a contact is not resolved"

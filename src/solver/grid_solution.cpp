@@ -368,9 +368,9 @@ bool misses_kink(const GridSolution& x) {
   return misses(nodes[0], kinks[0]) || misses(nodes[1], kinks[1]);
 }
 
-int unknowns_after(int n) {
+int unknowns_after(int n, bool bulk) {
   if (n < 36) return 3 * n / 2;
-  if (n < 54) return n + 12;
+  if (n < 54) return bulk ? 8 * n / 5 : n + 12;
   return std::min(2 * n, most_unknowns);
 }
 

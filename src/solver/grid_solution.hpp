@@ -80,7 +80,7 @@ double unresolved(double tail, int n, bool slow, double of_integrals, double in_
 double part_with_law(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 bool decays_slowly(const Eigen::VectorXd& before, const Eigen::VectorXd& now);
 double error_of_kinks(const GridSolution& x);
-int unknowns_after(int n);
+int unknowns_after(int n, bool bulk);
 
 /// E of any two bodies that conduct, on this many nodes or more, for the h of friction.
 std::vector<ExchangedFlux> exchanged_fluxes(const Scene& scene, Formulation formulation,

@@ -1130,8 +1130,10 @@ TEST(HotFriction, CreepBeforeFullSlipHasABorder) {
 // Each grid has a fifth more unknowns than the last at least: closer ones agree too well. Scenes of
 // the study, 57 and 60 unknowns, showed that.
 TEST(HotFriction, GridsAreNotClose) {
-  for (int n = 8; n <= 400; ++n) EXPECT_GE(5 * thermoroll::unknowns_after(n), 6 * n) << n;
-  EXPECT_EQ(thermoroll::unknowns_after(thermoroll::most_unknowns), thermoroll::most_unknowns);
+  for (const bool bulk : {false, true})
+    for (int n = 8; n <= 400; ++n) EXPECT_GE(5 * thermoroll::unknowns_after(n, bulk), 6 * n) << n;
+  EXPECT_EQ(thermoroll::unknowns_after(thermoroll::most_unknowns, false),
+            thermoroll::most_unknowns);
 }
 
 // Where the series has ended, a law's change counts by 0.6 of the cube of the ratio of the
