@@ -65,14 +65,14 @@ struct CurveSamples {
   bool whole = true;  // all points were admissible
 };
 
-bool turns_back(const CreepCurve& curve, const GridSolution& x) {
+bool has_turned_back(const CreepCurve& curve, const GridSolution& x) {
   return curve.scene.bulk_difference != 0 && should_stick_at_edge(x);
 }
 
 /// Put the solution at rho before the point of this index.
 bool add(CurveSamples& x, std::size_t index, double rho, const GridSolution& from) {
   const OnCurve now{rho, solution_on(x.curve, rho, from)};
-  const bool solved = now.solution.newton_steps > 0 && !turns_back(x.curve, now.solution);
+  const bool solved = now.solution.newton_steps > 0 && !has_turned_back(x.curve, now.solution);
   x.whole = x.whole && solved && now.solution.violations.empty();
   if (solved) x.points.insert(x.points.begin() + static_cast<std::ptrdiff_t>(index), now);
   return solved;
@@ -318,9 +318,9 @@ bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
          two[0].traction() > results_at(top)(traction) * (1 - 1e-6);
 }
 
-bool turns_back(const CreepCurve& curve, const Points& points) {
+bool has_turned_back(const CreepCurve& curve, const Points& points) {
   return std::any_of(points.begin(), points.end(),
-                     [&](const OnCurve& x) { return turns_back(curve, x.solution); });
+                     [&](const OnCurve& x) { return has_turned_back(curve, x.solution); });
 }
 
 void begin_full_slip(const CreepCurve& curve, Highest& top) {
@@ -339,7 +339,7 @@ Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
   if (beside.size() < 7) return Results::Zero();
   move_to(beside, other.local, other);
   const GridSolution there = solution_on(curve, other.rho, highest_point(beside).solution);
-  if (there.newton_steps == 0 || turns_back(curve, there)) return Results::Zero();
+  if (there.newton_steps == 0 || has_turned_back(curve, there)) return Results::Zero();
   const Results higher = there.value - results_at(top);
   const double share = higher(traction) / std::abs(results_at(top)(traction));
   if (share < (other.rho == 1 ? 1e-9 : 0)) return Results::Zero();
@@ -415,7 +415,7 @@ std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance,
     const double before = top.rho;
     inside = follow(curve, coarse, top, points);
     const bool range = is_range(curve, top, points);
-    if ((range || turns_back(curve, points)) && n > 40) return std::nullopt;
+    if ((range || has_turned_back(curve, points)) && n > 40) return std::nullopt;
     const Results of_side = error_of_side(curve, top, points);
     const Results now = results_at(top), change_before = change;
     change = (now - last).abs();
