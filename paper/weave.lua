@@ -342,9 +342,9 @@ local function code(inline)
   if inline.classes:includes("value") then
     return value_in_text(inline.text, "`" .. inline.text .. "`{.value}")
   end
-  if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("together") end -- an option
+  if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("nb") end -- an option
   if inline.text:find("%s%-%-") then -- a command, whose options are not broken behind a hyphen
-    local html = escape(inline.text):gsub("%-%-[%w-]+", '<span class="together">%0</span>')
+    local html = escape(inline.text):gsub("%-%-[%w-]+", '<span class="nb">%0</span>')
     return pandoc.RawInline("html", "<code>" .. html .. "</code>")
   end
   return inline
@@ -380,11 +380,11 @@ local function keep_together(inlines)
     end
     if kind == "RawInline" and (inline.text:match("^<math") or inline.text:match("^<span title"))
        and before and before.t == "Str" and before.text:match("^%($") then
-      out[#out] = pandoc.RawInline("html", '<span class="together">(' .. inline.text .. "</span>")
+      out[#out] = pandoc.RawInline("html", '<span class="nb">(' .. inline.text .. "</span>")
     elseif kind == "Str" and inline.text:match("^[,.;:)?!]") and before
        and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span ")
          or before.text:match("^<a class[^>]*><math")) then
-      out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "together" }))
+      out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "nb" }))
     else
       out:insert(inline)
     end
@@ -1186,7 +1186,7 @@ local function chunk_box(piece, open)
       step(chunk.pieces[piece.part + 1], "↓", "next"))
   end
   return raw(string.format('<details id="%s"%s>\n<summary>'
-    .. '<i>%s</i>%s</summary>\n<div class="code">%s</div>\n'
+    .. '<i>%s</i>%s</summary>\n<div class="c">%s</div>\n'
     .. '<p>%s</p>\n</details>', escape(anchor(piece)), open and ' open=""' or "",
     piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
 end
@@ -1282,7 +1282,7 @@ local function code_block(block)
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
   local html = table.concat(highlighted(lines, block.classes[1] or "", coloured), "\n")
-  return raw('<div class="code listing"><pre>' .. html .. "</pre></div>")
+  return raw('<div class="c listing"><pre>' .. html .. "</pre></div>")
 end
 
 -- 8. The tests' names, quietly ----------------------------------------------------------------------
@@ -1316,7 +1316,7 @@ end
 
 local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
-    .. '<span class="note">%s</span></summary>\n<div class="code"><pre>%s\n</pre></div>'
+    .. '<span class="note">%s</span></summary>\n<div class="c"><pre>%s\n</pre></div>'
     .. "</details>", escape(id), title, note, table.concat(html, "\n")))
 end
 
@@ -1383,7 +1383,7 @@ local function listed_tests(names, tests)
     table.insert(lines, string.format('<i id="test:%s">%s %sctest --test-dir build/release -R %s</i>', name, mark, where_it_is, name))
     table.insert(lines, (escape(test_text(test)):gsub("\n+$", "\n"):gsub("&quot;", '"'):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")))
   end
-  return '<div class="code"><pre>' .. table.concat(lines, "\n") .. "</pre></div>"
+  return '<div class="c"><pre>' .. table.concat(lines, "\n") .. "</pre></div>"
 end
 
 --- Each test stands folded where a paragraph names it first; where it is named again, there or in a table, a
@@ -1538,7 +1538,7 @@ local function colophon(meta)
   local line = pandoc.Inlines({ pandoc.Str(text) })
   if meta.revision then line:insert(pandoc.Str(" Revision " .. utils.stringify(meta.revision) .. ".")) end
   if meta.date then
-    line:extend({ pandoc.Str(" Date "), pandoc.Span(utils.stringify(meta.date) .. ".", pandoc.Attr("", { "together" })) })
+    line:extend({ pandoc.Str(" Date "), pandoc.Span(utils.stringify(meta.date) .. ".", pandoc.Attr("", { "nb" })) })
   end
   if meta.tree then line:extend({ pandoc.Str(" Source tree "), pandoc.Code(utils.stringify(meta.tree)), pandoc.Str(".") }) end
   return pandoc.Para(line)
