@@ -478,9 +478,10 @@ Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
 }
 
 /// Solve with n unknowns at the point that the derivative gives, until less than share of each
-/// result is left to correct; slope, the derivative by the traction, is improved.
+/// result is left to correct; gap is from the traction to the maximum. The derivative by the
+/// traction, slope, is improved.
 GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolution& from,
-                    Results& slope, double share) {
+                    Results& slope, double share, double gap) {
   auto& [scene, formulation, n, unused, slipping] = curve;
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
@@ -501,7 +502,10 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     const bool far = k == 0 && std::abs(level.at.c0() - last.at.c0()) > room;
     const bool leaps = room > 0 && std::abs(carried(stick_slip_border)) > room;
     const double off = last.at.slip < 0.1 ? 1 : far ? 0.4 : 0.02;
-    if (!leaps && off * carried.head(compared).abs().maxCoeff() < share) break;
+    const double moved_creep = std::abs(level.value(creep) - last.value(creep));
+    const bool close = std::abs(residual(level, given)) < 0.1 * gap &&
+                       moved_creep < 0.03 * 2 * std::abs(slope(creep)) * gap;
+    if (close && !leaps && off * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
@@ -628,11 +632,12 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   const double most = highest.traction();
   if (!near) start = about_the_traction(x, branch, asked < most ? asked : most * (1 - 1e-6));
   const Prescribed given{traction, asked};
+  const double gap = limit ? std::abs(limit->traction - asked) : infinite;
   const auto refined = [&] {
     return refine(scene, approach, given, start.solution, start.slope,
                   [&](int n, const GridSolution& last) {
                     const double left = approach.tolerance / (near ? 1e4 : 10);
-                    return settle({scene, formulation, n}, given, last, start.slope, left);
+                    return settle({scene, formulation, n}, given, last, start.slope, left, gap);
                   });
   };
   CoupledSolution found = refined();

@@ -827,6 +827,30 @@ TEST(HotFriction, MaximumIsThatOfAContact) {
     EXPECT_LT(at_creep(scene, share * x->creep, 1e-6).value(Quantity::traction), x->traction);
 }
 
+// The border was up to 6.7 times as wrong as its error: the correction of a coarse grid's solution was trusted as if
+// the derivative did not change next to the maximum.
+TEST(HotFriction, ATractionNextToTheMaximumIsSettled) {
+  Scene slow{0.7831288424944216, 2.7050268445875285, 0.014209263538234592};
+  slow.law = linear_friction({0.8525365562900614, 0.7515035794053778});
+  Scene fast{0.33347662575770604, 736.0605046824417, 0.1663037589723845, {1, 0.1663037589723845}};
+  fast.law = rational_friction({0.0026033488732774635, 0.2928110893883967});
+  Scene kinked{0.7827, 6928, 0.284};
+  kinked.law = piecewise_linear_friction({0.00259, 0.4076});
+  for (const auto& [scene, below, tolerance] : {std::tuple{slow, 1e-5, 1e-3},
+                                                {slow, 5e-5, 1e-2},
+                                                {fast, 1e-5, 1e-2},
+                                                {kinked, 2e-4, 1.2e-4}})
+    for (const Branch branch : {Branch::rising, Branch::falling}) {
+      const auto top = solve(scene, {Quantity::traction, 0.3 * scene.friction}, 1e-7).limit;
+      const Prescribed given{Quantity::traction, (1 - below) * top->traction, branch};
+      const CoupledSolution x = solve(scene, given, tolerance), best = solve(scene, given, 1e-8);
+      for (const Quantity q : {Quantity::stick_slip_border, Quantity::creep,
+                               Quantity::heat_integral, Quantity::max_temperature})
+        EXPECT_LE(std::abs(x.value(q) - best.value(q)), x.error(q) + best.error(q))
+            << below << ' ' << static_cast<int>(q);
+    }
+}
+
 // Here it rises up to the place where it turns back.
 TEST(HotFriction, CurveThatTurnsBackWhileItRisesHasNoMaximum) {
   Scene scene{0.5463, 969.37, 0.008258, {0.27774, 0.014083, 2173.03}};
