@@ -477,11 +477,20 @@ Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
   return found;
 }
 
+/// Slope is the derivative by the traction.
+bool is_close(const GridSolution& level, const GridSolution& last, const Prescribed& given,
+              const Results& slope, const std::optional<TractionLimit>& limit) {
+  if (!limit) return true;
+  const double gap = std::abs(limit->traction - given.value);
+  const double moved = std::abs(level.value(creep) - last.value(creep));
+  return std::abs(residual(level, given)) < 0.1 * gap &&
+         moved < 0.03 * 2 * std::abs(slope(creep)) * gap;
+}
+
 /// Solve with n unknowns at the point that the derivative gives, until less than share of each
-/// result is left to correct; gap is from the traction to the maximum. The derivative by the
-/// traction, slope, is improved.
+/// result is left to correct; slope, the derivative by the traction, is improved.
 GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolution& from,
-                    Results& slope, double share, double gap) {
+                    Results& slope, double share, const std::optional<TractionLimit>& limit) {
   auto& [scene, formulation, n, unused, slipping] = curve;
   GridSolution level = from;
   for (int k = 0; k < 8; ++k) {
@@ -502,9 +511,7 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     const bool far = k == 0 && std::abs(level.at.c0() - last.at.c0()) > room;
     const bool leaps = room > 0 && std::abs(carried(stick_slip_border)) > room;
     const double off = last.at.slip < 0.1 ? 1 : far ? 0.4 : 0.02;
-    const double moved_creep = std::abs(level.value(creep) - last.value(creep));
-    const bool close = std::abs(residual(level, given)) < 0.1 * gap &&
-                       moved_creep < 0.03 * 2 * std::abs(slope(creep)) * gap;
+    const bool close = is_close(level, last, given, slope, limit);
     if (close && !leaps && off * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
@@ -632,12 +639,11 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   const double most = highest.traction();
   if (!near) start = about_the_traction(x, branch, asked < most ? asked : most * (1 - 1e-6));
   const Prescribed given{traction, asked};
-  const double gap = limit ? std::abs(limit->traction - asked) : infinite;
   const auto refined = [&] {
     return refine(scene, approach, given, start.solution, start.slope,
                   [&](int n, const GridSolution& last) {
                     const double left = approach.tolerance / (near ? 1e4 : 10);
-                    return settle({scene, formulation, n}, given, last, start.slope, left, gap);
+                    return settle({scene, formulation, n}, given, last, start.slope, left, limit);
                   });
   };
   CoupledSolution found = refined();

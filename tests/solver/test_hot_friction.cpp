@@ -827,8 +827,8 @@ TEST(HotFriction, MaximumIsThatOfAContact) {
     EXPECT_LT(at_creep(scene, share * x->creep, 1e-6).value(Quantity::traction), x->traction);
 }
 
-// The border was up to 6.7 times as wrong as its error: the correction of a coarse grid's solution was trusted as if
-// the derivative did not change next to the maximum.
+// The border was up to 6.7 times as wrong as its error: the correction of a coarse grid's solution
+// was trusted as if the derivative did not change next to the maximum.
 TEST(HotFriction, ATractionNextToTheMaximumIsSettled) {
   Scene slow{0.7831288424944216, 2.7050268445875285, 0.014209263538234592};
   slow.law = linear_friction({0.8525365562900614, 0.7515035794053778});
