@@ -830,9 +830,10 @@ Without --from and --to, or --from-ratio and --to-ratio, the rows reach to three
 which the contact slips without heat, or to the end of the curve. They are dense where it bends.
 With data in SI units there are columns for the creep as a fraction of the speed, its speed, the
 tangential load in N/m and the largest rise in degree C; with --bulk-temperature also the temperature
-itself. A curve is of one --half-width: that of a radius is told by solve --radius. Unless --roller
-says otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as
-hot.)";
+itself. A curve is of one --half-width: that of a radius is told by solve --radius. If the bulk
+temperatures differ, a curve goes on where the bodies separate, or exceed friction, over less than
+0.005 of the half-width at the leading edge; solve tells that it is no contact. Unless --roller says
+otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* law_examples = R"(Examples:
   thermoroll law --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical --output law.c
@@ -844,12 +845,15 @@ constexpr const char* law_examples = R"(Examples:
 
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law, where the others are 0: xi*, Q*, T*, or with data in SI units the creep
-as a fraction of the speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s, too; the tolerance is then
-from 3e-7 on, and 1e-3 is much faster where a reference temperature is reached in partial slip. A law is
-of one --half-width: that of a radius is told by solve --radius. Two laws in one C program need names
-of their own, as by cc -Dcreep_law=wheel_law. Creeps above 0.1 of the speed have values, too, but are
-beyond the model. Unless --roller says otherwise, all heat
-goes into one body: two steel bodies (--roller identical) are about half as hot.)";
+as a fraction of the speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s,
+too; the tolerance is then from 3e-7 on. Where a reference temperature is reached in partial slip, a
+law to 1e-6 may take a minute; 1e-3 is much faster. A law is of one --half-width: that of a radius is
+told by solve --radius. Two laws in one C program need names of their own, as by
+cc -Dcreep_law=wheel_law. Creeps above 0.1 of the speed have values, too, but are beyond the model. If
+the bulk temperatures differ, a law goes on where the bodies separate, or exceed friction, over less
+than 0.005 of the half-width at the leading edge; solve tells that it is no contact. Unless --roller
+says otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as
+hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list

@@ -758,6 +758,7 @@ double half_width_of_radius(PhysicalScene si, double radius, double friction,
     const double missed = found.value - kappa;
     if (!found.reason && std::abs(missed) <= 1e-9 * kappa + found.error) return si.half_width;
     (missed > 0 ? least : most) = kappa;
+    if (found.reason && most - least < 1e-3 * most) std::rethrow_exception(found.reason);
     const double secant = kappa - missed * (kappa - before) / (missed - missed_before);
     const double next = step == 0 ? found.value : secant;
     before = kappa;

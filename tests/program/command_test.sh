@@ -1097,6 +1097,16 @@ NotesOnFailures() {
   fails 2 "to-ratio = 0.01 is" ", where the curve ends: .*$about" creep-curve "${si[@]/1.4e-5/14}" --to-ratio 0.01
 }
 
+# There is a solution for the half-width of Hertz, but none next to that of the radius, to this tolerance.
+RadiusOfAnUnresolvedSceneSaysSo() {
+  run solve --radius 0.801516811864857 --tolerance 1e-8 --friction 0.50117091978 --roller identical --friction-law linear \
+    --friction-floor 0.79441511085 --load 2053532.8065 --speed 28.654788698 --poisson 0.393321041 --expansion 3.27323013e-06 \
+    --diffusivity 0.002000037 --conductivity 45.410338688 --shear-modulus 96375397991.56662 --friction-temperature 87.66495852 \
+    --bulk-temperature 14.7089559 --bulk-temperature-2 -125.80196923 --creep 0.90850511825
+  [ $status -eq 1 ] || fail "status $status: $(cat err)"
+  grep -q "not resolved to 1e-08 .* at best to" err || fail "$(cat err)"
+}
+
 # A radius and the half-width found for it are the same scene.
 RadiusAgreesWithHalfWidth() {
   local method radius
