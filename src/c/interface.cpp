@@ -107,8 +107,7 @@ Prescribed given_of(const thermoroll_scene& x) {
   const int quantity = word<int>("quantity", x.quantity, THERMOROLL_TANGENTIAL_LOAD);
   const auto branch = word<Branch>("branch", x.branch, THERMOROLL_FALLING);
   if (branch == Branch::falling && quantities[quantity] != Quantity::traction)
-    throw std::invalid_argument(
-        "branch = falling is for a given traction: a creep or a border has one solution");
+    throw std::invalid_argument("branch = falling is for a given traction only");
   if (quantity >= THERMOROLL_CREEP_RATIO && !in_si(x))
     throw std::invalid_argument(
         "a creep ratio or a tangential load needs data in SI units, which have a load");

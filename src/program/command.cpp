@@ -781,8 +781,8 @@ gauss-chebyshev is the published scheme and has no error estimate.
 With theta the rise above the reference temperature over --friction-temperature, friction is f times
 max(floor, 1 - theta) for the law linear, floor + (1 - floor) exp(-theta) for exponential,
 floor + (1 - floor) / (1 + theta) for rational and 1 + (floor - 1) min(theta, 1) for
-piecewise-linear, whose floor may be above 1; where theta < 0 it is f. For linear a negative
---friction-temperature makes friction rise.
+piecewise-linear, whose floor may be above 1; at or below the reference temperature it is f. For
+linear a negative --friction-temperature makes friction rise.
 Temperatures in degree C are rises over the bulk temperature, but contact_temperature_celsius and
 absolute_temperature_celsius, which are there where --bulk-temperature is given. The force Q in N/m
 is tangential_load, in JSON and CSV of solve below physical, and traction is Q over the load. With a

@@ -27,11 +27,13 @@ constexpr SceneOption group_options[] = {
 
 constexpr SceneOption si_options[] = {
     {"--load", "N/m",
-     "load per unit length P = pi a p0 / 2: of a wheel load / contact width, 3/2 in its middle",
+     "load per unit length P = pi a p0 / 2: of a wheel its load by the contact width, 3/2 of that "
+     "in the middle",
      &SceneOptions::load},
     {"--speed", "m/s", "rolling speed V: if they differ much, the mean of both surfaces' speeds",
      &SceneOptions::speed},
-    {"--shear-modulus", "Pa", "shear modulus mu of both bodies, or the harmonic mean of two",
+    {"--shear-modulus", "Pa",
+     "shear modulus mu of both bodies (of two moduli the harmonic mean, without their coupling)",
      &SceneOptions::shear_modulus},
     {"--poisson", "NUMBER", "Poisson ratio nu of both bodies", &SceneOptions::poisson},
     {"--expansion", "1/K", "thermal expansion alpha", &SceneOptions::expansion},
@@ -69,11 +71,11 @@ constexpr SceneOption law_options[] = {
      "T0*, the scale of the law, or in K with SI data; for linear below 0 where friction rises",
      &SceneOptions::friction_temperature},
     {"--friction-floor", "NUMBER",
-     "least friction as a fraction of f, 0 unless given (piecewise-linear: the last one)",
+     "least friction as a fraction of f, 0 unless given (piecewise-linear: where the slope ends)",
      &SceneOptions::friction_floor},
     {"--friction-reference-temperature", "NUMBER",
-     "up to where friction is f: T* above the half-space's bulk temperature, degree C in SI; else "
-     "that bulk",
+     "friction is f up to it: T* above the half-space's bulk temperature, degree C in SI; that "
+     "bulk unless given",
      &SceneOptions::friction_reference_temperature}};
 
 constexpr SceneOption bulk_options[] = {
@@ -159,7 +161,7 @@ void add_roller(CLI::App& command, SceneOptions& o) {
 }
 
 void add_law(CLI::App& command, SceneOptions& o) {
-  const char* group = "Friction that depends on temperature (see the examples)";
+  const char* group = "Friction that depends on temperature (formulas: solve --help)";
   add_word(command, "friction-law", o.friction_law, law_names, "constant unless given", group);
   for (const SceneOption& option : law_options) declare(command, o, option, group);
   for (const SceneOption& option : bulk_options) declare(command, o, option, group);
@@ -286,8 +288,7 @@ void check_law_options(const SceneOptions& o, bool si) {
     throw std::invalid_argument("--friction-law " + o.friction_law +
                                 " lacks --friction-temperature");
   if (!branch.empty() && !o.traction && !o.tangential_load)
-    throw std::invalid_argument(
-        "--branch is for a given traction: a creep or a border has one solution");
+    throw std::invalid_argument("--branch is for a given traction only");
   if (const std::string bulk = those(bulk_options, o, true); !si && !bulk.empty())
     throw std::invalid_argument("for data in SI units only:" + bulk);
   if (si && o.bulk_difference)

@@ -708,7 +708,7 @@ BadLaws() {
     solve "${si[@]}" --friction-law linear --friction-temperature 0
   refuses 2 "branch = up is not allowed: it must be rising or falling" solve "${scene[@]}" "${linear[@]}" --branch up
   for option in "--creep 0.1" "--stick-slip-border 0"; do
-    refuses 2 "--branch is for a given traction: a creep or a border has one solution" \
+    refuses 2 "--branch is for a given traction only" \
       solve "${scene[@]:0:4}" $option "${linear[@]}" --branch falling
   done
   refuses 2 "branch = falling does not exist: the traction has no maximum; it is between 0 and " \
