@@ -1056,7 +1056,7 @@ function linked_to_its_chunk(key, number)
   if not piece then return number end
   local html = number.text
   if number.t == "Str" then html = escape(html) end
-  return pandoc.RawInline("html", (link(anchor(piece), html):gsub("<a ", '<a class="computed" title="' .. key .. '" ', 1)))
+  return pandoc.RawInline("html", (link(anchor(piece), html):gsub("<a ", '<a title="' .. key .. '" ', 1)))
 end
 
 local function file_link(path) return link("file:" .. path, "<code>" .. escape(path) .. "</code>") end

@@ -226,7 +226,7 @@ NumbersLeadToTheirChunks() {
   named | sort | uniq -c >"$work/named"
   [ "$(wc -l <"$work/named")" -gt 50 ] || fail "hardly any value is named"
   while read -r times key; do
-    found=$(grep -oF "<a class=\"computed\" title=\"$key\" href=\"#lst:" "$report" | wc -l)
+    found=$(grep -oF "<a title=\"$key\" href=\"#lst:" "$report" | wc -l)
     [ "$found" = "$times" ] || fail "$key is named $times times, and leads to a chunk $found times"
   done <"$work/named"
 }

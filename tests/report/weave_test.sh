@@ -340,10 +340,10 @@ v[name + "_border"] = x;
 ```
 END
   expect 'It is 1.5, 2, 3, 4.'
-  expect_html '<a class="computed" title="load" href="#lst:numbers">1.5</a>' \
-    '<a class="computed" title="speed_6" href="#lst:numbers">2</a>' \
-    '<a class="computed" title="steel_border" href="#lst:numbers:2">3</a>, 4.' \
-    'A formula: <span class="nb"><a class="computed" title="load" href="#lst:numbers"><math' '</math></a>.</span>'
+  expect_html '<a title="load" href="#lst:numbers">1.5</a>' \
+    '<a title="speed_6" href="#lst:numbers">2</a>' \
+    '<a title="steel_border" href="#lst:numbers:2">3</a>, 4.' \
+    'A formula: <span class="nb"><a title="load" href="#lst:numbers"><math' '</math></a>.</span>'
   rm page.html
   chapter <<<'Two at a time, $x = \value{load} + \value{other}$.'
   expect_error 'one.md:5: a formula has two computed numbers, or stands alone: it can lead to neither chunk'
