@@ -342,9 +342,9 @@ local function code(inline)
   if inline.classes:includes("value") then
     return value_in_text(inline.text, "`" .. inline.text .. "`{.value}")
   end
-  if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("nb") end -- an option
+  if inline.text:match("^%-%-[%w-]+$") then inline.classes:insert("one") end -- an option
   if inline.text:find("%s%-%-") then -- a command, whose options are not broken behind a hyphen
-    local html = escape(inline.text):gsub("%-%-[%w-]+", '<span class="nb">%0</span>')
+    local html = escape(inline.text):gsub("%-%-[%w-]+", '<span class="one">%0</span>')
     return pandoc.RawInline("html", "<code>" .. html .. "</code>")
   end
   return inline
@@ -380,11 +380,11 @@ local function keep_together(inlines)
     end
     if kind == "RawInline" and (inline.text:match("^<math") or inline.text:match("^<span title"))
        and before and before.t == "Str" and before.text:match("^%($") then
-      out[#out] = pandoc.RawInline("html", '<span class="nb">(' .. inline.text .. "</span>")
+      out[#out] = pandoc.RawInline("html", '<span class="one">(' .. inline.text .. "</span>")
     elseif kind == "Str" and inline.text:match("^[,.;:)?!]") and before
        and before.t == "RawInline" and (before.text:match("^<math") or before.text:match("^<span ")
-         or before.text:match("^<a class[^>]*><math")) then
-      out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "nb" }))
+         or before.text:match("^<a title[^>]*><math")) then
+      out[#out] = pandoc.Span({ before, inline }, pandoc.Attr("", { "one" }))
     else
       out:insert(inline)
     end
@@ -1538,7 +1538,7 @@ local function colophon(meta)
   local line = pandoc.Inlines({ pandoc.Str(text) })
   if meta.revision then line:insert(pandoc.Str(" Revision " .. utils.stringify(meta.revision) .. ".")) end
   if meta.date then
-    line:extend({ pandoc.Str(" Date "), pandoc.Span(utils.stringify(meta.date) .. ".", pandoc.Attr("", { "nb" })) })
+    line:extend({ pandoc.Str(" Date "), pandoc.Span(utils.stringify(meta.date) .. ".", pandoc.Attr("", { "one" })) })
   end
   if meta.tree then line:extend({ pandoc.Str(" Source tree "), pandoc.Code(utils.stringify(meta.tree)), pandoc.Str(".") }) end
   return pandoc.Para(line)

@@ -231,8 +231,8 @@ By `--option`, `run --load 1`, `a-b`, 4 %, 5 m/s: $\sigma=+1$, $2\ell$, inline $
 $$ \begin{aligned} a &= \bigl[ b \bigr] \\ c &= (-1) + \left(\frac12\right) \end{aligned} $$
 END
   weave page.html one.md
-  expect_html '<code class="nb">--option</code>' \
-    '<code>run <span class="nb">--load</span> 1</code>' '4 %, 5 m/s:' \
+  expect_html '<code class="one">--option</code>' \
+    '<code>run <span class="one">--load</span> 1</code>' '4 %, 5 m/s:' \
     '<mo>=</mo><mo form="prefix">+</mo><mn>1</mn>' '<mn>2</mn><mi>ℓ</mi>' '<code>a-b</code>' '<mi mathvariant="normal">Pe</mi>' \
     '<mo stretchy="false">(</mo><mi>x</mi><mo stretchy="false">)</mo>' \
     '<mo>=</mo><mo form="prefix">−</mo><mo lspace="0.167em" rspace="0">ln</mo>' \
@@ -343,7 +343,7 @@ END
   expect_html '<a title="load" href="#lst:numbers">1.5</a>' \
     '<a title="speed_6" href="#lst:numbers">2</a>' \
     '<a title="steel_border" href="#lst:numbers:2">3</a>, 4.' \
-    'A formula: <span class="nb"><a title="load" href="#lst:numbers"><math' '</math></a>.</span>'
+    'A formula: <span class="one"><a title="load" href="#lst:numbers"><math' '</math></a>.</span>'
   rm page.html
   chapter <<<'Two at a time, $x = \value{load} + \value{other}$.'
   expect_error 'one.md:5: a formula has two computed numbers, or stands alone: it can lead to neither chunk'
