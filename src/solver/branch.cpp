@@ -65,14 +65,11 @@ struct CurveSamples {
   bool whole = true;  // all points were admissible
 };
 
-bool has_turned_back(const CreepCurve& curve, const GridSolution& x) {
-  return curve.scene.bulk_difference != 0 && should_stick_at_edge(x);
-}
-
 /// Put the solution at rho before the point of this index.
 bool add(CurveSamples& x, std::size_t index, double rho, const GridSolution& from) {
   const OnCurve now{rho, solution_on(x.curve, rho, from)};
-  const bool solved = now.solution.newton_steps > 0 && !has_turned_back(x.curve, now.solution);
+  const bool turned = should_stick_at_edge(x.curve.scene, now.solution);
+  const bool solved = now.solution.newton_steps > 0 && !turned;
   x.whole = x.whole && solved && now.solution.violations.empty();
   if (solved) x.points.insert(x.points.begin() + static_cast<std::ptrdiff_t>(index), now);
   return solved;
@@ -319,8 +316,9 @@ bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
 }
 
 bool has_turned_back(const CreepCurve& curve, const Points& points) {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const OnCurve& x) { return has_turned_back(curve, x.solution); });
+  return std::any_of(points.begin(), points.end(), [&](const OnCurve& x) {
+    return should_stick_at_edge(curve.scene, x.solution);
+  });
 }
 
 void begin_full_slip(const CreepCurve& curve, Highest& top) {
@@ -339,7 +337,7 @@ Results error_of_side(CreepCurve& curve, Highest& top, Points& points) {
   if (beside.size() < 7) return Results::Zero();
   move_to(beside, other.local, other);
   const GridSolution there = solution_on(curve, other.rho, highest_point(beside).solution);
-  if (there.newton_steps == 0 || has_turned_back(curve, there)) return Results::Zero();
+  if (there.newton_steps == 0 || should_stick_at_edge(curve.scene, there)) return Results::Zero();
   const Results higher = there.value - results_at(top);
   const double share = higher(traction) / std::abs(results_at(top)(traction));
   if (share < (other.rho == 1 ? 1e-9 : 0)) return Results::Zero();
@@ -399,7 +397,7 @@ Results parts(const Highest& top, const Results& change_before, double part) {
 
 /// None if a range of creeps has the largest traction, or the curve rises to where it turns back.
 /// Errors may be above the tolerance on the finest grid, that of the creep thrice so at high speed,
-/// and next to a corner of the curve; unknown, infinite. Curve and top become the last grid's.
+/// and next to a corner of the curve; an unknown error is infinite.
 std::optional<TractionLimit> traction_limit(CreepCurve& curve, double tolerance, Highest& top,
                                             GridSolution level) {
   Results last = results_at(top), change = Results::Zero();

@@ -275,7 +275,7 @@ std::optional<double> full_slip_at(const Scene& scene, Formulation formulation, 
   if (!from || scene.bulk_difference == 0 || given.value > 1.1 * *from) return from;
   SlippingGrids grids{scene, formulation};
   const GridSolution x = solve_slipping_grid(grids, 80, given.value, {});
-  return should_stick_at_edge(x) ? std::nullopt : from;
+  return should_stick_at_edge(scene, x) ? std::nullopt : from;
 }
 
 /// The end of a message; nothing unless a creep is given, and one with a contact is known.

@@ -178,7 +178,8 @@ void forget_the_edge(GridSolution& x, double length, bool also_others) {
   all.erase(std::remove_if(all.begin(), all.end(), at_the_edge), all.end());
 }
 
-bool should_stick_at_edge(const GridSolution& x) {
+bool should_stick_at_edge(const Scene& scene, const GridSolution& x) {
+  if (scene.bulk_difference == 0) return false;
   const auto at_the_edge = [](const Violation& v) {
     return v.what == "backward slip" && v.from < -0.99 && v.to - v.from > 0.002;
   };

@@ -21,8 +21,8 @@ CoupledSolution solve_full_slip(const Scene& scene, const Approach& approach, do
 /// if they are meant as well.
 void forget_the_edge(GridSolution& x, double length, bool also_others = false);
 
-/// Whether a backward slip at the leading edge is longer than 0.002.
-bool should_stick_at_edge(const GridSolution& x);
+/// Whether, with a bulk difference, a backward slip at the leading edge is longer than 0.002.
+bool should_stick_at_edge(const Scene& scene, const GridSolution& x);
 
 /// Refuse, by std::invalid_argument, the traction of constant friction itself, f or -f by the
 /// direction, with the least creep that it belongs to.
