@@ -44,12 +44,20 @@ std::vector<Violation> violations(const Factors& at) {
   return found;
 }
 
-bool same_violations(const std::vector<Violation>& a, const std::vector<Violation>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    const double shared = std::min(x.to, y.to) - std::max(x.from, y.from);
-    const double covered = std::max(x.to, y.to) - std::min(x.from, y.from);
-    return x.what == y.what && shared >= covered / 2;
-  });
+bool is_same(const Violation& x, const Violation& y) {
+  const double shared = std::min(x.to, y.to) - std::max(x.from, y.from);
+  const double covered = std::max(x.to, y.to) - std::min(x.from, y.from);
+  return x.what == y.what && shared >= covered / 2;
+}
+
+std::optional<std::vector<Violation>> agreed_violations(const std::vector<Violation>& a,
+                                                        const std::vector<Violation>& b) {
+  std::vector<Violation> both;
+  for (const Violation& x : b)
+    if (std::any_of(a.begin(), a.end(), [&](const auto& y) { return is_same(x, y); }))
+      both.push_back(x);
+  if (both.empty() && !(a.empty() && b.empty())) return std::nullopt;
+  return both;
 }
 
 }  // namespace thermoroll

@@ -693,9 +693,11 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
       trace.back().change = found.change.head(compared).maxCoeff();
       trace.back().estimate = worst;
       if (level.crossing && last.crossing) add_errors_of_crossing(scene, last, found, level);
-      if (same_violations(level.violations, last.violations)) {
-        if (worst <= tolerance) return solution_of(scene, approach, level, found, trace);
-        reached = std::min(reached, worst);
+      const auto agreed = agreed_violations(last.violations, level.violations);
+      if (agreed) reached = std::min(reached, worst);
+      if (agreed && worst <= tolerance) {
+        level.violations = *agreed;
+        return solution_of(scene, approach, level, found, trace);
       }
       stalled = n > 64 && worst > 0.5 * best && worst > 100 * tolerance ? stalled + 1 : 0;
     } else {

@@ -80,7 +80,7 @@ bool is_lost_beyond(SlippingGrids& grids, const Followed& found) {
   GridSolution y = solve_slipping_grid(finer, finer_unknowns, there, found.contact);
   for (GridSolution* each : {&x, &y}) forget_the_edge(*each, 1e-3);
   return x.newton_steps > 0 && y.newton_steps > 0 && !y.violations.empty() &&
-         same_violations(x.violations, y.violations);
+         agreed_violations(x.violations, y.violations);
 }
 
 bool drives(const SlippingGrids& grids) { return grids.scene.direction == Direction::driving; }

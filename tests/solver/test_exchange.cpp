@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -1327,6 +1328,28 @@ TEST(Exchange, ATinySlipZoneHasTheErrorOfTheEdge) {
       EXPECT_LE(std::abs(x.value[k] - fine.value[k]), x.error[k] + fine.error[k])
           << tolerance << ": " << k;
   }
+}
+
+// No grid finds a contact. Each finds other violations within 2e-5 of where the check begins, 1e-4
+// from the edge, for up to 480 unknowns, and the same ones beyond.
+TEST(Exchange, GridsNeedNotShareAllViolations) {
+  Scene cold{0.739147, 8094.63, 0.0124366};
+  cold.roller = {0.17656, 0.0086425, 26.1651};
+  cold.bulk_difference = -0.032366;
+  Scene warm{0.710645, 6561.94, 0.000236399};
+  warm.roller = {0.71267, 0.016113, 196.121};
+  warm.bulk_difference = 0.050276;
+  for (const auto& [scene, creep, condition] :
+       {std::tuple{cold, 0.44030358764657335, "traction above friction"},
+        std::tuple{warm, 0.41989475479710764, "separation"}})
+    for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+      const CoupledSolution x =
+          solve_coupled(scene, {Formulation::corrected, tolerance}, {Quantity::creep, creep});
+      ASSERT_FALSE(x.violations.empty()) << condition;
+      EXPECT_EQ(x.violations.front().what, condition);
+      EXPECT_GT(x.violations.front().to, -0.9995) << condition;
+      EXPECT_LT(x.unknowns, 480);
+    }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include "studies/iterations.hpp"
 #include "studies/naive_kernels.hpp"
 #include "studies/resolution.hpp"
+#include "support/number_text.hpp"
 #include "thermoroll/admissibility.hpp"
 #include "thermoroll/carter.hpp"
 #include "thermoroll/coupled.hpp"
@@ -33,7 +35,6 @@ using thermoroll::FluxMap;
 using thermoroll::Formulation;
 using thermoroll::PublishedSolution;
 using thermoroll::Quantity;
-using thermoroll::same_violations;
 using thermoroll::Violation;
 namespace kernel = thermoroll::kernel;
 namespace naive_scaled = thermoroll::naive_scaled;
@@ -435,18 +436,28 @@ TEST(Admissibility, ClosedFormIsAContact) {
       EXPECT_TRUE(thermoroll::violations(carter_factors(friction, border)).empty()) << border;
 }
 
-// The same conditions agree in intervals of which half is shared; elsewhere, or with another
-// condition, or with one more, they do not.
-TEST(Admissibility, TheSameConditionsAreViolated) {
+// Violations are shared if half of their intervals is; elsewhere, or of another condition, they are
+// not. One that only one grid has is left out, and one that is left alone is a disagreement.
+TEST(Admissibility, GridsAgreeOnSharedViolations) {
+  using List = std::vector<Violation>;
   const Violation separation{"separation", -1, 0}, elsewhere{"separation", 0, 1},
       twice{"separation", -1, 1}, narrow{"separation", -1, -0.51}, backward{"backward slip", -1, 0};
-  EXPECT_TRUE(same_violations({}, {}));
-  EXPECT_TRUE(same_violations({separation, backward}, {twice, backward}));
-  EXPECT_TRUE(same_violations({twice}, {separation}));
-  EXPECT_FALSE(same_violations({separation}, {elsewhere}));
-  EXPECT_FALSE(same_violations({separation}, {narrow}));
-  EXPECT_FALSE(same_violations({separation}, {backward}));
-  EXPECT_FALSE(same_violations({separation}, {separation, backward}));
+  const auto names = [](const List& a, const List& b) -> std::string {
+    const auto agreed = thermoroll::agreed_violations(a, b);
+    if (!agreed) return "disagreement";
+    std::string all;
+    for (const Violation& x : *agreed) all += x.what + thermoroll::shortest(x.to) + " ";
+    return all;
+  };
+  EXPECT_EQ(names({}, {}), "");
+  EXPECT_EQ(names({separation, backward}, {twice, backward}), "separation1 backward slip0 ");
+  EXPECT_EQ(names({twice}, {separation}), "separation0 ");
+  EXPECT_EQ(names({separation}, {separation, backward}), "separation0 ");
+  EXPECT_EQ(names({separation, backward}, {backward}), "backward slip0 ");
+  for (const List& other : {List{}, {elsewhere}, {narrow}, {backward}}) {
+    EXPECT_EQ(names({separation}, other), "disagreement");
+    EXPECT_EQ(names(other, {separation}), "disagreement");
+  }
 }
 
 // Each condition, made to fail on an interval by a straight line through zero at its ends, is named

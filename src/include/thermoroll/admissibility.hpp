@@ -1,6 +1,7 @@
 // Tangled from paper/04-integral-equations.md; edit there.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,9 @@ struct Violation {
 /// The violated conditions, in that order; a NaN is a violation. Empty for a contact.
 std::vector<Violation> violations(const Factors& at);
 
-/// Whether both name the same conditions, in intervals that share half of what they cover together.
-bool same_violations(const std::vector<Violation>& a, const std::vector<Violation>& b);
+/// The violations of b that a has too: of the same condition, in an interval that shares half of
+/// what both cover together. Without a value if they disagree: none is shared, and one has some.
+std::optional<std::vector<Violation>> agreed_violations(const std::vector<Violation>& a,
+                                                        const std::vector<Violation>& b);
 
 }  // namespace thermoroll
