@@ -28,6 +28,12 @@ void add(std::vector<Violation>& found, const char* what, const ArrayXd& s,
   }
 }
 
+bool is_same(const Violation& x, const Violation& y) {
+  const double shared = std::min(x.to, y.to) - std::max(x.from, y.from);
+  const double covered = std::max(x.to, y.to) - std::min(x.from, y.from);
+  return x.what == y.what && shared >= covered / 2;
+}
+
 }  // namespace
 
 std::vector<Violation> violations(const Factors& at) {
@@ -42,12 +48,6 @@ std::vector<Violation> violations(const Factors& at) {
   add(found, "traction below -friction", at.s, (at.s < at.border).select(other_limit, 1));
   if (!(at.load_ratio > 0)) found.push_back({"no load", -1, 1});
   return found;
-}
-
-bool is_same(const Violation& x, const Violation& y) {
-  const double shared = std::min(x.to, y.to) - std::max(x.from, y.from);
-  const double covered = std::max(x.to, y.to) - std::min(x.from, y.from);
-  return x.what == y.what && shared >= covered / 2;
 }
 
 std::optional<std::vector<Violation>> agreed_violations(const std::vector<Violation>& a,

@@ -685,9 +685,7 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
     const double best = found.worst();
     level = next(n, last);
     trace.push_back(step_of(level));
-    if (level.newton_steps > 0) {
-      found = refined(scene, found, level, last, given, slope);
-    }
+    if (level.newton_steps > 0) found = refined(scene, found, level, last, given, slope);
     const double worst = found.worst();
     if (level.newton_steps > 0) {
       trace.back().change = found.change.head(compared).maxCoeff();
