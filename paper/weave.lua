@@ -1186,7 +1186,7 @@ local function chunk_box(piece, open)
       step(chunk.pieces[piece.part + 1], "↓", "next"))
   end
   return raw(string.format('<details id="%s"%s>\n<summary>'
-    .. '<i>%s</i>%s</summary>\n<div class="c">%s</div>\n'
+    .. '<i>%s</i>%s</summary>\n<div>%s</div>\n'
     .. '<p>%s</p>\n</details>', escape(anchor(piece)), open and ' open=""' or "",
     piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
 end
@@ -1316,7 +1316,7 @@ end
 
 local function listing(id, title, note, html)
   return raw(string.format('<details class="file" id="%s"><summary><code>%s</code> '
-    .. '<span class="note">%s</span></summary>\n<div class="c"><pre>%s\n</pre></div>'
+    .. '<span class="note">%s</span></summary>\n<div><pre>%s\n</pre></div>'
     .. "</details>", escape(id), title, note, table.concat(html, "\n")))
 end
 
@@ -1383,7 +1383,7 @@ local function listed_tests(names, tests)
     table.insert(lines, string.format('<i id="test:%s">%s %sctest --test-dir build/release -R %s</i>', name, mark, where_it_is, name))
     table.insert(lines, (escape(test_text(test)):gsub("\n+$", "\n"):gsub("&quot;", '"'):gsub("&gt;", ">"):gsub("%]%]>", "]]&gt;")))
   end
-  return '<div class="c"><pre>' .. table.concat(lines, "\n") .. "</pre></div>"
+  return '<div><pre>' .. table.concat(lines, "\n") .. "</pre></div>"
 end
 
 --- Each test stands folded where a paragraph names it first; where it is named again, there or in a table, a
