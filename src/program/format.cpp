@@ -229,6 +229,9 @@ json to_json(const Solution& x, const std::optional<FoundInSi>& physical) {
   o["physical"] = to_json(told.physical);
   o["physical"]["error_estimate"] = physical->error ? to_json(told.physical_error) : json();
   o["notes"] = physical->notes;
+  const bool conducting = kind_of(x.scene) == RollerKind::conducting;
+  for (const SiDatum& data : data_in_si(physical->data, conducting))
+    o["data_in_si"][data.name] = data.value;
   return o;
 }
 
@@ -500,6 +503,32 @@ RollerKind kind_of(const Scene& scene) {
       roller.conductivity_ratio == 1 && roller.heating == scene.heating && roller.peclet == 0;
   return alike ? RollerKind::identical : RollerKind::conducting;
 }
+
+std::vector<SiDatum> data_in_si(const PhysicalScene& x, bool conducting) {
+  std::vector<SiDatum> all{{"load", x.load, "N/m"},
+                           {"speed", x.speed, "m/s"},
+                           {"half_width", x.half_width, "m"},
+                           {"shear_modulus", x.shear_modulus, "Pa"},
+                           {"poisson", x.poisson, ""},
+                           {"expansion", x.expansion, "1/K"},
+                           {"diffusivity", x.diffusivity, "m^2/s"},
+                           {"conductivity", x.conductivity, "W/(m K)"}};
+  if (conducting)
+    all.insert(all.end(), {{"expansion_2", x.expansion_2, "1/K"},
+                           {"diffusivity_2", diffusivity_2(x), "m^2/s"},
+                           {"conductivity_2", x.conductivity_2, "W/(m K)"}});
+  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) all.push_back({name, *value, unit});
+  };
+  add("bulk_temperature", x.bulk_temperature, "degree C");
+  add("bulk_temperature_2", x.bulk_temperature_2, "degree C");
+  if (!x.law) return all;
+  add("friction_temperature", x.law->of.scale, "K");
+  if (x.bulk_temperature)
+    add("friction_reference_temperature", *x.bulk_temperature + x.law->of.reference, "degree C");
+  return all;
+}
+
 ColumnMeaning meaning_of(const std::string& column) {
   const std::string name = column.substr(column.rfind('.') + 1);
   const bool physical = column.find("physical.") == 0, error = name != column && !physical;

@@ -14,6 +14,16 @@ namespace thermoroll {
 /// The kind of the roller, as the options name it: identical if all of its constants are the same.
 RollerKind kind_of(const Scene& scene);
 
+/// A datum of a scene in SI units, by the name of its option.
+struct SiDatum {
+  const char* name;
+  double value;
+  const char* unit;
+};
+
+/// All of them; those of the second body if it is conducting.
+std::vector<SiDatum> data_in_si(const PhysicalScene& x, bool conducting);
+
 /// A solution in a format. Throws NotConverged where a number of it is not finite.
 std::string present(const Solution& x, const std::optional<FoundInSi>& physical, Format format);
 

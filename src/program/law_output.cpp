@@ -165,37 +165,6 @@ nlohmann::ordered_json scene_of_law(const Scene& x, Formulation formulation) {
   return o;
 }
 
-struct SiDatum {
-  const char* name;
-  double value;
-  const char* unit;
-};
-
-std::vector<SiDatum> si_data_of(const PhysicalScene& x, bool conducting) {
-  std::vector<SiDatum> all{{"load", x.load, "N/m"},
-                           {"speed", x.speed, "m/s"},
-                           {"half_width", x.half_width, "m"},
-                           {"shear_modulus", x.shear_modulus, "Pa"},
-                           {"poisson", x.poisson, ""},
-                           {"expansion", x.expansion, "1/K"},
-                           {"diffusivity", x.diffusivity, "m^2/s"},
-                           {"conductivity", x.conductivity, "W/(m K)"}};
-  if (conducting)
-    all.insert(all.end(), {{"expansion_2", x.expansion_2, "1/K"},
-                           {"diffusivity_2", diffusivity_2(x), "m^2/s"},
-                           {"conductivity_2", x.conductivity_2, "W/(m K)"}});
-  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
-    if (value) all.push_back({name, *value, unit});
-  };
-  add("bulk_temperature", x.bulk_temperature, "degree C");
-  add("bulk_temperature_2", x.bulk_temperature_2, "degree C");
-  if (!x.law) return all;
-  add("friction_temperature", x.law->of.scale, "K");
-  if (x.bulk_temperature)
-    add("friction_reference_temperature", *x.bulk_temperature + x.law->of.reference, "degree C");
-  return all;
-}
-
 std::string told_data(const CreepLawBySpeed& law, const nlohmann::ordered_json& scene,
                       const std::vector<SiDatum>& si, const std::string& mark) {
   std::string text = mark + "Rolling contact by thermoroll, dimensionless:\n";
@@ -575,7 +544,7 @@ std::string law_text(const CreepLawBySpeed& law, const Scene& of, Formulation fo
   if (si) units = law_units(*si, of.friction);
   const LawUnits unit = units.value_or(LawUnits{});
   const bool conducting = kind_of(of) == RollerKind::conducting;
-  const std::vector<SiDatum> data = si ? si_data_of(*si, conducting) : std::vector<SiDatum>{};
+  const std::vector<SiDatum> data = si ? data_in_si(*si, conducting) : std::vector<SiDatum>{};
   const auto comment = [&](const char* mark) { return told(law, scene, units, data, mark); };
   if (language == Language::c) return in_c(law, unit, comment("// "));
   if (language == Language::python) return in_python(law, unit, comment("# "));

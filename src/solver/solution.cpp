@@ -672,6 +672,7 @@ FoundInSi in_si_units(const Solution& x, const PhysicalScene& si, bool from_radi
   const FoundPeaks peak = peaks(x);
   FoundInSi y{converted(x.value, peak.value, unit, si), std::nullopt};
   set_sizes(y.value, si, x.value(load_ratio));
+  y.data = si;
   y.notes = beyond_the_model(y.value, si, largest_friction(x));
   if (std::string note = note_on_constant_friction(x); !note.empty()) y.notes.push_back(note);
   if (si.bulk_temperature)

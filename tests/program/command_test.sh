@@ -2036,6 +2036,29 @@ LawTellsItsScene() {
     fail "$(in_si law.c)"
 }
 
+# The data that a result tells give the same result again, byte for byte, whose half-width is given.
+ResultsTellTheirData() {
+  local steel=(--load 1.2e7 --speed 22.2 --shear-modulus 8.1e10 --poisson 0.3 --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50)
+  local more=(--bulk-temperature 20 --friction-law linear --friction-temperature 800)
+  local unlike=(--roller conducting --conductivity-2 30 --expansion-2 1.2e-5 --diffusivity-2 1.2e-5)
+  again() { # the options that are no data
+    answers solve "${steel[@]}" "$@" --friction 0.3 --creep 0.1 --format json
+    sed -n '/^  "data_in_si": {$/,/^  }$/p' out | sed -n 's/^    "\(.*\)": \(.*[^,]\),\{0,1\}$/\1 \2/p' >told
+    mapfile -t data < <(sed 's/^/--/; s/ .*//; s/_/-/g' told | paste -d'\n' - <(sed 's/.* //' told))
+    mv out first
+  }
+  again --half-width 0.0055
+  [ ${#data[@]} = 16 ] || fail "${data[*]}"
+  answers solve "${data[@]}" --friction 0.3 --creep 0.1 --format json
+  cmp first out || fail "${data[*]}"
+  again --half-width 0.0055 "${unlike[@]}" "${more[@]}" --bulk-temperature-2 25 --friction-reference-temperature 50
+  [ ${#data[@]} = 30 ] || fail "${data[*]}"
+  answers solve "${data[@]}" --roller conducting --friction-law linear --friction 0.3 --creep 0.1 --format json
+  cmp first out || fail "${data[*]}"
+  again --radius 0.46
+  [ "$(sed -n 's/^half_width //p' told)" = "$(sed -n 's/^    "half_width": \(.*\),$/\1/p' first | head -1)" ] || fail "$(cat told)"
+}
+
 # The tables alone are enough: the series as the sum of cosines that it is.
 LawRunsFromJson() {
   law_in c law.c "${wheel[@]}" --tolerance 1e-3
