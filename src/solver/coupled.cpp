@@ -47,6 +47,11 @@ bool is_uneven(const Scene& scene) {
   return is_unlike(scene) && scene.bulk_difference == 0 && unevenness(scene) > 30;
 }
 
+/// Relative, of their results.
+double rounding_of_pair(const Scene& scene) {
+  return is_uneven(scene) ? 2e-16 * unevenness(scene) : 0;
+}
+
 /// With crossing heat, on a grid of n unknowns.
 bool is_of_flux(const Scene& scene, int n, double tail) {
   return scene.bulk_difference == 0 && (unevenness(scene) < 1.5 || n < 30 || tail > 0.01);
@@ -118,8 +123,8 @@ double shrinking(double now, double before, const Convergence& at) {
 /// How far each quantity is from its value without heat, relative to its scale and at most 1, with
 /// a twentieth of the largest of them, or a tenth with a law; C and the creep both have the larger
 /// of theirs, and twice that counts; the heat and the temperature have 1.
-Results share_of_heat(const Scene& scene, const GridSolution& level, const Prescribed& given,
-                      const Results& value) {
+Results share_in_effects(const Scene& scene, const GridSolution& level, const Prescribed& given,
+                         const Results& value) {
   const bool no_cold = scene.law && given.quantity == traction;
   if (scene.bulk_difference != 0 || level.at.stick == 0 || no_cold) return Results::Ones();
   const Results cold = carter_values(nearest_carter(scene, given));
@@ -141,7 +146,6 @@ Results error_of_rules(const Scene& scene, int n) {
   Results errors = Results::Constant(error / 8 * std::clamp(speed, 0.02, 1.0));
   errors(heat_integral) = errors(max_temperature) = error * std::clamp(speed, 0.05, 1.0);
   errors(max_temperature) += is_unlike(scene) ? 6e-12 : 0;  // of the tables of both bodies
-  if (is_uneven(scene)) errors += 2e-16 * unevenness(scene);
   return errors;
 }
 
@@ -419,7 +423,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double part = remembered(grids, layered, level.crossing.has_value(), is_uneven(scene));
   const Results change = ((value - before.value).abs() / scale).max(part * before.change);
   const double largest = change.head(compared).maxCoeff();
-  const Results share = share_of_heat(scene, level, given, value);
+  const Results share = share_in_effects(scene, level, given, value);
   const Results small =
       error_of_rules(scene, n) + error_of_correction(value, slope, corrected, level.at);
   Results left = estimate(change, share, now, then, grids) + small;
@@ -444,7 +448,7 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
   const double of_rounding = rounding(given, slope, scale);
   left += errors_near_leading_edge(scene, level, given, share, scale, corrected - of_rounding);
   left += (error_of_bulk(scene, level, given, slope) + law_error(scene, n, given, slope)) / scale;
-  return {value, change, left + of_rounding};
+  return {value, change, left + of_rounding + rounding_of_pair(scene)};
 }
 
 void add_errors_of_crossing(const Scene& scene, const GridSolution& last, const Refinement& found,
@@ -490,7 +494,7 @@ GridSolution at_predicted_border(const Scene& scene, Formulation formulation, in
 }
 
 struct LastStick {
-  double length, error;  // negative where full slip has begun
+  double length, error;  // length < 0 where all slips
   double creep_by_length;
 };
 

@@ -390,7 +390,7 @@ void end_after_pieces(LawHalf& half, double reach) {
   if (half.reason == not_asked && z > 1) half.last_creep = reach;
 }
 
-double creep_of_full_slip(const Scene& scene, Formulation formulation, double tolerance) {
+double creep_without_stick(const Scene& scene, Formulation formulation, double tolerance) {
   GridSolution last;
   for (const auto& [n, finer] : law_grids) {
     const double coarse = next_to_full_slip(scene, formulation, n).value(Quantity::creep);
@@ -479,7 +479,7 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   const double sign = sign_of(scene.direction);
   rest.creep *= sign;
   rest.traction *= sign;
-  HalfInTheMaking x{{scene, formulation, rest, creep_of_full_slip(scene, formulation, tolerance)},
+  HalfInTheMaking x{{scene, formulation, rest, creep_without_stick(scene, formulation, tolerance)},
                     LawErrors::Constant(tolerance)};
   LawPoint last;
   last.at.value(Quantity::creep) = rest.creep;

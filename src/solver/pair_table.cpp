@@ -49,7 +49,7 @@ Density upstream(const Scene& scene, double u) {
   const complex a = upper_root(2 * scene.peclet - u), b = upper_root(2 * peclet_2(scene) - u);
   const complex delta = crossing(scene, a, b), i(0, 1);
   const complex a1 = std::sqrt(u) / a, a2 = std::sqrt(u) / b;
-  const double h1 = scene.heating, h2 = distortion_2(scene) / peclet_ratio(scene);
+  const double h1 = scene.heating, h2 = scene.roller.heating;
   return {imag(delta * (h1 * (1.0 + i * a1) - h2 * (1.0 + i * a2))) / pi,
           imag(delta * (h1 * a1 + h2 * a2)) - real(delta) * (h1 + h2),
           imag(delta / (std::sqrt(u) * a))};
@@ -59,7 +59,7 @@ Density downstream(const Scene& scene, double u) {
   const double a = std::sqrt(2 * scene.peclet + u), b = std::sqrt(2 * peclet_2(scene) + u);
   const double delta = crossing(scene, a, b), root = std::sqrt(u);
   const auto strain = [&](double peclet, double of) { return 2 * peclet / (of * (of + root)); };
-  const double h1 = scene.heating, h2 = distortion_2(scene) / peclet_ratio(scene);
+  const double h1 = scene.heating, h2 = scene.roller.heating;
   return {0, delta * (h1 * strain(scene.peclet, a) + h2 * strain(peclet_2(scene), b)),
           delta / (root * a)};
 }

@@ -12,8 +12,8 @@ namespace thermoroll {
 namespace {
 
 Solution at_creep(double heating, double creep, double peclet = 100) {
-  const Approach exact{Formulation::corrected, 1e-5, Method::coupled};
-  return solve({paper::friction, peclet, heating}, {Quantity::creep, creep}, exact);
+  const Approach coupled{Formulation::corrected, 1e-5, Method::coupled};
+  return solve({paper::friction, peclet, heating}, {Quantity::creep, creep}, coupled);
 }
 
 double load_ratio_at(double heating, double creep, double peclet = 100) {
@@ -53,8 +53,8 @@ const FigureData full_slip_b_data{"full-slip-b", load_ratio_in_full_slip};
 
 double end_of_stick(Direction direction) {
   const Scene scene{paper::friction, 100, 1, {}, direction};
-  const Approach exact{Formulation::corrected, 1e-5, Method::coupled};
-  const Solution x = solve(scene, {Quantity::stick_slip_border, -1 + 1e-6}, exact);
+  const Approach coupled{Formulation::corrected, 1e-5, Method::coupled};
+  const Solution x = solve(scene, {Quantity::stick_slip_border, -1 + 1e-6}, coupled);
   return std::abs(x.value(Quantity::creep));
 }
 

@@ -889,6 +889,18 @@ TEST(Exchange, PairsOfVeryDifferentSpeedsHaveTheirErrors) {
   }
 }
 
+// The rounding of a pair is in each error, with a law of friction too.
+TEST(Exchange, PairsOfVeryDifferentSpeedsHaveTheirRounding) {
+  Scene scene{0.3, 100, 1e-5, {1.2, 1e-5, 1e8}};
+  for (const bool with_law : {false, true}) {
+    if (with_law) scene.law = thermoroll::linear_friction({0.5});
+    const CoupledSolution x =
+        solve_coupled(scene, {Formulation::corrected, 1e-9}, {Quantity::creep, 0.05});
+    EXPECT_GE(x.error(Quantity::traction), 2e-10);
+    EXPECT_GE(x.error(Quantity::heat_integral), 2e-10 * x.value(Quantity::heat_integral));
+  }
+}
+
 // The largest of |true error| / tolerance and of |true error| / stated error, by a solution that is
 // a thousand times better.
 struct Missed {

@@ -163,7 +163,7 @@ Results scale_in(const Scene& scene, const Results& value);
 /// The quantities without heat, except for the temperature.
 Results carter_values(const Carter& c);
 
-/// Their derivatives with respect to one of traction, creep and border, to about a thousandth.
+/// Their derivatives with respect to one of traction, creep and border, to about half a thousandth.
 Results carter_slope(const Carter& c, Quantity by);
 
 /// The largest change of the other quantities by rounding of the given one, each relative to its
