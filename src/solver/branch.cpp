@@ -96,6 +96,43 @@ void approach_end(CurveSamples& x, double asked, double place) {
   }
 }
 
+/// On the coarsest grid with which one of half its unknowns agrees to a thousandth, and which the
+/// curve then has; false if there is none, or no contact.
+bool resolve(CreepCurve& curve, OnCurve& at, const GridSolution& from) {
+  const int before = curve.n;
+  for (double coarse = at.traction(); 2 * curve.n <= most_unknowns; coarse = at.traction()) {
+    curve.n *= 2;
+    at.solution = solution_on(curve, at.rho, from);
+    if (at.solution.newton_steps == 0) break;
+    if (std::abs(at.traction() - coarse) > 1e-3 * std::abs(coarse)) continue;
+    forget_the_edge(at.solution, 0.005, curve.scene.bulk_difference != 0);
+    if (at.solution.violations.empty()) return true;
+    break;
+  }
+  curve.n = before;
+  return false;
+}
+
+/// Leave out the last samples in full slip that are not resolved, and put others before them.
+void approach_last_contact(CurveSamples& x, double asked) {
+  Points& all = x.points;
+  const OnCurve highest = *std::max_element(all.begin(), all.end(), is_lower);
+  for (bool ends = false; !ends && all.back().rho > 1 && is_lower(all.back(), highest);) {
+    OnCurve last = all.back();
+    all.pop_back();
+    ends = resolve(x.curve, last, all.back().solution);
+    if (ends) all.push_back(last);
+  }
+  double part = 0.5;
+  while (part < 0.97 && 2 - all.back().rho > 1.5e-3 && !(all.back().traction() < asked)) {
+    const double left = part * (2 - all.back().rho);
+    OnCurve next{2 - left, solution_on(x.curve, 2 - left, all.back().solution)};
+    const bool resolved = resolve(x.curve, next, all.back().solution);
+    if (resolved) all.push_back(next);
+    if (!resolved) part = std::sqrt(part);
+  }
+}
+
 /// Put samples between the last one, which has a stick zone, and full slip.
 void approach_turn(CurveSamples& x) {
   if (x.points.empty()) return;
@@ -126,6 +163,16 @@ CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) 
     if (!add(x, 0, 0.6 * std::min(x.points[0].rho, 1.0), {})) break;
   }
   if (branch == Branch::rising && unsolved < 1) approach_end(x, asked, unsolved);
+  return x;
+}
+
+CurveSamples coarse_curve(const Scene& scene, Formulation formulation, double asked,
+                          Branch branch) {
+  CurveSamples x = sample_curve({scene, formulation, 12}, asked, branch);
+  while (!x.whole && x.curve.n < 48)
+    x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
+  if (x.points.size() < 2)
+    throw std::runtime_error("coupled: no traction-creep curve found" + without_friction(scene));
   return x;
 }
 
@@ -618,11 +665,7 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
 CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, double asked,
                                 Branch branch) {
   const Formulation formulation = approach.formulation;
-  CurveSamples x = sample_curve({scene, formulation, 12}, asked, branch);
-  while (!x.whole && x.curve.n < 48)
-    x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
-  if (x.points.size() < 2)
-    throw std::runtime_error("coupled: no traction-creep curve found" + without_friction(scene));
+  CurveSamples x = coarse_curve(scene, formulation, asked, branch);
   std::optional<Highest> top = highest_of(x);
   const OnCurve highest = *std::max_element(x.points.begin(), x.points.end(), is_lower);
   std::optional<TractionLimit> limit;
@@ -630,6 +673,7 @@ CoupledSolution solve_on_branch(const Scene& scene, const Approach& approach, do
   if (top) limit = traction_limit(fine, approach.tolerance, *top, highest.solution);
   if (limit && is_unknown_far_above(*limit, highest, asked)) limit.reset();
   if (limit) refuse_near(*limit, asked, approach.tolerance);
+  if (branch == Branch::falling) approach_last_contact(x, asked);
   refuse_beyond(x, limit, branch, asked);
   Enclosed start;
   if (limit) start = next_to_maximum(fine, *top, branch, asked, highest.solution);

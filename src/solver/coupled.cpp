@@ -683,7 +683,8 @@ CoupledSolution refine(const Scene& scene, const Approach& approach, const Presc
   Refinement found{carried_over(level, given, slope)};
   double reached = std::numeric_limits<double>::infinity();
   std::vector<GridStep> trace{step_of(level)};
-  int n = std::max(3 * static_cast<int>(level.h.size()) / 2, least_unknowns(scene, digits, level));
+  int n = std::clamp(3 * static_cast<int>(level.h.size()) / 2, least_unknowns(scene, digits, level),
+                     most_unknowns);
   for (int stalled = 0; stalled < 2;) {
     const GridSolution last = level;
     const double best = found.worst();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -975,6 +976,31 @@ TEST(HotFriction, FallingBranchBeginsBeforeFullSlip) {
     EXPECT_GT(x.value(Quantity::creep), x.limit->creep);
     const CoupledSolution y = at_creep(scene, x.value(Quantity::creep), 1e-8);
     // The curve is flatter there than one unit of traction for one of creep.
+    EXPECT_NEAR(y.value(Quantity::traction), traction,
+                y.error(Quantity::traction) + x.error(Quantity::creep));
+  }
+}
+
+// The traction of a contact is at least the least friction. A grid of 12 or 48 unknowns has less at
+// a thousand times the creep of full slip, where the solution is none.
+TEST(HotFriction, FallingBranchEndsAtAContact) {
+  Scene slow{0.3, 16.56, 0.1}, fast{0.6, 1000, 0.05};
+  slow.law = linear_friction({0.5, 0.5});
+  fast.law = exponential_friction({0.02, 0.6});
+  for (const auto& [scene, least, traction] :
+       {std::tuple{slow, 0.15, 0.151}, {slow, 0.15, 0.1503}, {fast, 0.36, 0.361}}) {
+    try {
+      solve(scene, {Quantity::traction, 0.99 * least, Branch::falling}, 1e-3);
+      ADD_FAILURE() << least;
+    } catch (const std::invalid_argument& refusal) {
+      const std::string range = refusal.what();
+      const double end = std::stod(range.substr(range.find("between ") + 8));
+      EXPECT_GT(end, least) << range;
+      EXPECT_LT(end, 1.005 * least) << range;
+    }
+    const CoupledSolution x = solve(scene, {Quantity::traction, traction, Branch::falling}, 1e-4);
+    EXPECT_TRUE(x.violations.empty());
+    const CoupledSolution y = at_creep(scene, x.value(Quantity::creep), 1e-6);
     EXPECT_NEAR(y.value(Quantity::traction), traction,
                 y.error(Quantity::traction) + x.error(Quantity::creep));
   }
