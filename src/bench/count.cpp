@@ -94,11 +94,6 @@ double fewest(const std::vector<Counted>& all, const std::string& method, double
   return least;
 }
 
-std::string two_digits(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return fixed(unit * std::round(value / unit), value < 10 ? 1 : 0);
-}
-
 void values(std::ostream& out, const std::vector<Counted>& all) {
   nlohmann::ordered_json v;
   const auto of = [&](const char* method, double setting) {
@@ -107,10 +102,10 @@ void values(std::ostream& out, const std::vector<Counted>& all) {
     });
     return static_cast<double>(found->evaluations);
   };
-  v["evaluations_coupled_6"] = two_digits(of("coupled", 1e-6));
-  v["evaluations_cached_ratio"] = two_digits(of("thrifty", 200) / of("coupled", 1e-6));
+  v["evaluations_coupled_6"] = to_two_digits(of("coupled", 1e-6));
+  v["evaluations_cached_ratio"] = to_two_digits(of("thrifty", 200) / of("coupled", 1e-6));
   const auto panels = [&](double digits) {
-    return two_digits(fewest(all, "graded_panels", digits) / fewest(all, "coupled", digits));
+    return to_two_digits(fewest(all, "graded_panels", digits) / fewest(all, "coupled", digits));
   };
   v["evaluations_panels_6"] = panels(6);
   v["evaluations_panels_8"] = panels(8);

@@ -125,7 +125,7 @@ struct thermoroll_physical {
   double contact_temperature_celsius;   ///< bulk temperature and largest rise, or NaN; degree C
 };
 
-/// What one of each dimensionless number is in SI units.
+/// The SI values of one dimensionless unit each.
 struct thermoroll_units {
   double length;       ///< a, of s, m
   double traction;     ///< P / a, of p* and q*, Pa
@@ -194,7 +194,7 @@ struct thermoroll_law_value {
 /// The version of the library, as "0.2.0".
 THERMOROLL_EXPORT const char* thermoroll_version(void);
 
-/// What a status means, in a few words; never null.
+/// The meaning of a status, in a few words; never null.
 THERMOROLL_EXPORT const char* thermoroll_message(int status);
 
 /// Set the first `size` bytes of a scene, which is sizeof *scene, to what stands in its comments.

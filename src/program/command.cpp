@@ -322,7 +322,7 @@ struct AllCreeps {
 AllCreeps read_all_creeps(SceneOptions o) {
   if (o.load && !o.half_width)
     throw std::invalid_argument(
-        "a creep curve in SI units needs --half-width: from a radius it would differ along it");
+        "all creeps in SI units need --half-width: from a radius it would differ along them");
   o.creep = 1;  // or any other
   const GivenScene c = read_scene(o);
   if (!c.physical) return {c.scene, c.approach.formulation, {}, {}};
@@ -368,7 +368,7 @@ std::vector<std::string> notes_on_ends(const CreepLaw& law, double from, double 
   return notes;
 }
 
-/// What make() returns; a failure has the notes of @sec:limits in its message.
+/// The result of make(); a failure has the notes of @sec:limits in its message.
 template <class Make>
 auto noted(const AllCreeps& c, const Make& make) try {
   return make();
@@ -414,7 +414,7 @@ void run_law(const Options& o) {
 /// An end in the unit of its option, if it is given.
 struct CurveEnd {
   std::string name;
-  double unit;  // xi* of one of it
+  double unit;  // xi* by its unit
   Maybe asked;
 };
 
@@ -576,8 +576,8 @@ void run_sweep(const Options& o) {
   const SweepCount rows = sweep(request);
   if (to_terminal || o.verbose) std::fprintf(stderr, "thermoroll: %s\n", summary(rows).c_str());
   if (rows.noted > 0)
-    std::fprintf(stderr, "thermoroll: note: %ld of %ld rows have notes: see their column notes\n",
-                 rows.noted, rows.rows);
+    std::fprintf(stderr, "thermoroll: note: %ld of %ld%s rows have notes: see their column notes\n",
+                 rows.noted, rows.rows - rows.resumed, rows.resumed > 0 ? " more" : "");
   if (rows.failed > 0)
     throw RowsFailed(std::to_string(rows.failed) + " of " + std::to_string(rows.rows) +
                      " rows have an error: see their columns status and error");

@@ -90,7 +90,7 @@ std::string hyphenated(std::string name);
 /// Words with a text between any two of them.
 std::string joined(const std::vector<std::string>& words, const std::string& between);
 
-/// What stands in the place of an option that there is not, as "--radius-2"; or nothing.
+/// The substitute for an option that there is not, as "--radius-2"; or nothing.
 std::string instead_of(const std::string& name);
 
 /// One line for a mistake in the options of app.

@@ -27,7 +27,7 @@ struct SweepRequest {
 
 /// The progress of a sweep.
 struct SweepCount {
-  long rows = 0, failed = 0, noted = 0, resumed = 0;  // resumed are not solved again
+  long rows = 0, failed = 0, noted = 0, resumed = 0;  // resumed: those of the file
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 

@@ -89,7 +89,7 @@ SweepRow answer(const SweepTable& t, const std::string& line);
 std::string header_of(const SweepTable& t);
 
 /// The rows of results in a file. Throws std::invalid_argument, whose text is what the file does
-/// wrong, if its columns are not those of the table.
+/// wrong: other columns, or a row of no sweep.
 RowsSoFar rows_so_far(const SweepTable& t, std::istream& file, bool has_header);
 
 }  // namespace thermoroll

@@ -11,7 +11,7 @@
 namespace thermoroll {
 
 namespace {
-/// The ends of the heated zone, start <= 0 <= end, the point 0 between them, and multiples of 16
+/// The ends of the heated zone, start <= 0 <= end, the point 0 between them, and powers of 16
 /// of the given widths to both sides of it, unless an end is about as near.
 std::vector<double> difficult_points(double start, double end,
                                      std::initializer_list<double> widths) {

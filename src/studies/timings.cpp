@@ -76,11 +76,6 @@ std::string accurate_enough(const Regime& regime, const std::string& method, dou
   throw std::runtime_error(method + " never has the load to " + shortest(error));
 }
 
-std::string to_two_digits(double ratio) {
-  const double unit = std::pow(10, std::floor(std::log10(ratio)) - 1);
-  return fixed(unit * std::round(ratio / unit), ratio < 10 ? 1 : 0);
-}
-
 void table_of_shares(std::ostream& out, const Benchmarks& run) {
   const auto of = [&](const std::string& name) { return time_of(run.times, name); };
   const double whole = of("coupled/tol:1e-08/Pe:4360/H:0.0175");

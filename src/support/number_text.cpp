@@ -41,6 +41,11 @@ std::string fixed(double value, int decimals) {
   return text.str();
 }
 
+std::string to_two_digits(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return fixed(unit * std::round(value / unit), value < 10 ? 1 : 0);
+}
+
 std::string scientific(double value, int digits) {
   if (value == 0) return "0";
   std::ostringstream stream;

@@ -32,6 +32,9 @@ std::string with_exponent(double value, int digits);
 /// A number with so many decimals, as "0.0021"; in any locale.
 std::string fixed(double value, int decimals);
 
+/// A positive number with two digits, and without an exponent.
+std::string to_two_digits(double value);
+
 /// A number with so many digits, in TeX, as "$2.1\cdot10^{-3}$".
 std::string scientific(double value, int digits);
 

@@ -71,6 +71,11 @@ RowsWithNotesAreCounted() {
     --expansion 1.1e-5 --diffusivity 1.4e-5 --conductivity 50 --roller identical)
   sweeps 0 "${wheel[@]}" --columns creep-ratio,status
   [ "$(cat err)" = "thermoroll: note: 2 of 3 rows have notes: see their column notes" ] || fail "$(cat err)"
+  cp results.csv whole
+  head -2 whole >part
+  "$program" sweep "${wheel[@]}" --columns creep-ratio,status --resume part <scenes.csv 2>err || fail "$(cat err)"
+  [ "$(cat err)" = "thermoroll: note: 2 of 2 more rows have notes: see their column notes" ] || fail "$(cat err)"
+  cmp whole part || fail "$(cat part)"
   sed -i '3,$d' scenes.csv
   sweeps 0 "${wheel[@]}" --columns creep-ratio,status
   [ ! -s err ] || fail "$(cat err)"

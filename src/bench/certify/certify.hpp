@@ -17,14 +17,16 @@ struct ColdContact {
   Ball f, b, l, c0, unit;
 };
 
-/// Writes a row: the cells before a ball, its midpoint and radius, and the cells behind.
-using Rows = std::function<void(const std::string&, const Ball&, const std::string&)>;
+/// Writes a row: the cells before a ball, its midpoint and its radius.
+using Rows = std::function<void(const std::string&, const Ball&)>;
 
+/// e^z K0(z), and without a digit unless z > 0; e^-z (I0 - I1); e^-z I_order; and that over z.
 Ball temperature_kernel(const Ball& z);
 Ball slope_kernel(const Ball& z);
 Ball mean_of_exponentials(int order, const Ball& z);
 Ball weighted_mean(int order, const Ball& z);
 
+/// Compute the rows of each table.
 void certified_temperatures(const Rows& rows);
 void certified_tables(const Rows& rows);
 void certified_first_order(const Rows& rows);

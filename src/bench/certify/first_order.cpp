@@ -103,7 +103,7 @@ void certified_first_order(const Rows& rows) {
   for (const auto& [traction, peclet] : cases) {
     const std::array<Ball, 4> all = changes(ColdContact(paper::friction, traction), peclet, -1);
     for (std::size_t i = 0; i < 4; ++i)
-      rows(shortest(traction) + "," + shortest(peclet) + "," + names[i], all[i], "");
+      rows(shortest(traction) + "," + shortest(peclet) + "," + names[i], all[i]);
   }
 }
 

@@ -106,9 +106,9 @@ void certified_temperatures(const Rows& rows) {
     const double s = hottest_point(flux, peclet).at, leading = (flux.from + s) / 2;
     const std::string contact = shortest(traction) + "," + shortest(peclet) + ",";
     for (const double place : {leading, s})
-      rows(contact + shortest(place), temperature_at(c, peclet, place, false, 0x1p-60), "");
+      rows(contact + shortest(place), temperature_at(c, peclet, place, false, 0x1p-60));
     const double known = lower(temperature_at(c, peclet, s, false, 0x1p-60));
-    rows(contact + "maximum", between(known, largest(c, peclet, known)), "");
+    rows(contact + "maximum", between(known, largest(c, peclet, known)));
   }
 }
 

@@ -37,9 +37,8 @@ int main(int count, char** words) {
     return 2;
   }
   const std::string part = words[1], when = std::string(words[2]) + "," + words[3];
-  const Rows rows = [&](const std::string& before, const Ball& x, const std::string& behind) {
-    std::printf("%s,%s%s,%s,%s\n", before.c_str(), in_decimals(x).c_str(), behind.c_str(), library,
-                when.c_str());
+  const Rows rows = [&](const std::string& before, const Ball& x) {
+    std::printf("%s,%s,%s,%s\n", before.c_str(), in_decimals(x).c_str(), library, when.c_str());
     std::fflush(stdout);
   };
   if (part == "temperatures")

@@ -359,7 +359,7 @@ def solve(
 
     Returns the results in the broadcast shape of all arguments. A scene that fails raises nothing:
     it has a status, a message and NaN. Raises ValueError for an unknown word or shapes that do not
-    fit, and TypeError unless exactly one quantity and one kind of data is given, in real numbers.
+    fit, and TypeError unless one quantity and a complete kind of data is given, in real numbers.
     """
     members = {name: x for name, x in locals().items() if name != "threads"}
     if not 0 <= operator.index(threads) <= 1024:
