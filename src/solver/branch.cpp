@@ -117,6 +117,7 @@ bool resolve(CreepCurve& curve, OnCurve& at, const GridSolution& from) {
 void approach_last_contact(CurveSamples& x, double asked) {
   Points& all = x.points;
   const OnCurve highest = *std::max_element(all.begin(), all.end(), is_lower);
+  if (!is_lower(all.back(), highest)) return;
   for (bool ends = false; !ends && all.back().rho > 1 && is_lower(all.back(), highest);) {
     OnCurve last = all.back();
     all.pop_back();

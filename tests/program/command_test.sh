@@ -408,6 +408,7 @@ JsonHasItsKeysInOrder() {
   local physical="physical half_width radius creep_ratio hertz_pressure max_pressure max_traction"
   physical="$physical max_heat_flux max_temperature_celsius half_width_over_radius dissipation tangential_load max_temperature_at_m"
   physical="$physical heat_1 heat_2 exchanged_heat contact_temperature_celsius no_slip_tangential_load no_slip_creep_ratio tangential_load_limit creep_ratio_at_limit error_estimate"
+  local data="data_in_si load speed half_width shear_modulus poisson expansion diffusivity conductivity"
   keys() { grep -o '^ *"[a-z0-9_]*":' out | tr -d ' ":' | paste -sd' '; }
   answers solve "${paper_scene[@]}" "${published[@]}" --format json
   [ "$(keys)" = "$case $bounded $end" ] || fail "keys: $(keys)"
@@ -415,9 +416,9 @@ JsonHasItsKeysInOrder() {
   [ "$(keys)" = "$case $bounded $end traction $bounded $crossing $limits" ] || fail "keys: $(keys)"
   answers solve "${steel[@]}" --half-width 5.5e-3 --format json
   local errors=${physical#physical }
-  [ "$(keys)" = "$case $bounded $end traction $bounded $crossing $limits $physical ${errors% error_estimate} notes" ] || fail "keys: $(keys)"
+  [ "$(keys)" = "$case $bounded $end traction $bounded $crossing $limits $physical ${errors% error_estimate} notes $data" ] || fail "keys: $(keys)"
   answers solve "${steel[@]}" --half-width 5.5e-3 "${published[@]}" --format json
-  [ "$(keys)" = "$case $bounded $end $physical notes" ] || fail "keys: $(keys)"
+  [ "$(keys)" = "$case $bounded $end $physical notes $data" ] || fail "keys: $(keys)"
 }
 
 SecondRunGivesTheSameBytes() {
@@ -445,7 +446,7 @@ CsvSaysWhatJsonSays() {
     local pair="roller\|direction\|heating_2\|conductivity_ratio\|peclet_2\|effusivity_ratio\|bulk_difference\|exchanged_heat\|no_slip_[a-z_]*\|edge_log_coefficient\|heat_[12]\|heat_partition\|full_slip"
     pair="$pair\|friction_law\|friction_temperature\|friction_floor\|friction_reference_temperature\|branch"
     pair="$pair\|friction_min\|traction_limit\|creep_at_traction_limit\|contact_temperature_celsius\|tangential_load_limit\|creep_ratio_at_limit"
-    sed -n '/^ *"\('"$pair"'\)":/d; s/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  *}.*/out/p' out |
+    sed -n '/^  "data_in_si": {$/,/^  }$/d; /^ *"\('"$pair"'\)":/d; s/^ *"\(error_estimate\|physical\)": {$/in \1/p; s/^ *"\([a-z0-9_]*\)": "\{0,1\}\([^",{]*\).*/\1 \2/p; s/^  *}.*/out/p' out |
       awk '$1 == "in" { prefix = prefix $2 "."; next } $1 == "out" { sub(/[a-z_]*\.$/, "", prefix); next }
            { key = $1; sub(/^[^ ]* /, ""); print prefix key, $0 == "null" || $0 == "[]" ? "" : $0 }' |
       grep -v 'error_estimate $' >expected
@@ -2339,7 +2340,7 @@ BadCreepLaws() {
     refuses 2 "unexpected ${option%% *}" $law $option
   done
   refuses 2 "tolerance = 0.1 is not allowed: it must be from 1e-7 to 1e-2" $law --tolerance 0.1
-  refuses 2 "needs --half-width: from a radius it would differ along it" law "${wheel[@]:0:6}" "${wheel[@]:8}"
+  refuses 2 "need --half-width: from a radius it would differ along them" law "${wheel[@]:0:6}" "${wheel[@]:8}"
   refuses 2 "--peclet and --heating exclude data in SI units" law "${wheel[@]}" --peclet 100
   refuses 2 "peclet = -1 is not allowed" law --friction 0.6 --peclet -1
   refuses 1 "cannot write nowhere/law.c" $law --output nowhere/law.c
