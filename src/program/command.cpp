@@ -846,9 +846,9 @@ constexpr const char* law_examples = R"(Examples:
 The function takes a creep and gives traction, its slope, the largest temperature and a status, which
 is 1 beyond the end of the law, where the others are 0: xi*, Q*, T*, or with data in SI units the creep
 as a fraction of the speed, N/m and the rise in degree C. With --to-speed it takes a speed in m/s,
-too; the tolerance is then from 3e-7 on. Where a reference temperature is reached in partial slip, a
-law to 1e-6 may take a minute; 1e-3 is much faster. A law is of one --half-width: that of a radius is
-told by solve --radius. Two laws in one C program need names of their own, as by
+too; the tolerance is then from 3e-7 on. A law of a wide range of speeds, or to 1e-6, may take a minute
+or two; one speed to 1e-3 mostly takes seconds. A law is of one --half-width: that of a radius is told
+by solve --radius. Two laws in one C program need names of their own, as by
 cc -Dcreep_law=wheel_law. Creeps above 0.1 of the speed have values, too, but are beyond the model. If
 the bulk temperatures differ, a law goes on where the bodies separate, or exceed friction, over less
 than 0.005 of the half-width at the leading edge; solve tells that it is no contact. Unless --roller
