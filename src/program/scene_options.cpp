@@ -543,6 +543,10 @@ std::string instead_of(const std::string& name) {
       {"--radius", "a curve keeps the half-width: that of solve --radius"},
       {"--radius-2", "for two rollers --radius is R1 R2 / (R1 + R2)"},
       {"--hertz-pressure", "--load is pi / 2 times it and the half-width"},
+      {"--youngs-modulus", "--shear-modulus is E / (2 (1 + nu))"},
+      {"--density", "--diffusivity is conductivity / (density * heat capacity)"},
+      {"--heat-capacity", "--diffusivity is conductivity / (density * heat capacity)"},
+      {"--specific-heat", "--diffusivity is conductivity / (density * heat capacity)"},
       {"--shear-modulus-2", "both bodies have the same elastic constants"},
       {"--poisson-2", "both bodies have the same elastic constants"}};
   const auto found = places.find(name);

@@ -1499,12 +1499,17 @@ UnderscoresAreHyphens() {
 
 # A misspelt name is told with the nearest, if one is near, and nothing else is done.
 NearestNames() {
+  local word
   refuses 2 "unexpected --fricton (did you mean --friction?)" solve --fricton 0.6
   refuses 2 "unexpected --fricton=0.6 (did you mean --friction?)" solve --fricton=0.6
   refuses 2 "unexpected --tolerence (did you mean --tolerance?)" solve "${paper_scene[@]}" --tolerence 1e-3
   refuses 2 "unexpected --confg (did you mean --config?)" solve --confg wheel.toml
   refuses 2 "unexpected --radius-2 (for two rollers --radius is R1 R2 / (R1 + R2))" solve --radius-2 0.3
   refuses 2 "unexpected --hertz-pressure (--load is pi / 2 times it and the half-width)" solve --hertz-pressure 1e9
+  refuses 2 "unexpected --youngs-modulus (--shear-modulus is E / (2 (1 + nu)))" solve --youngs-modulus 2.1e11
+  for word in density heat-capacity specific-heat; do
+    refuses 2 "unexpected --$word (--diffusivity is conductivity / (density * heat capacity))" solve --$word 500
+  done
   refuses 2 "unexpected --poisson-2 (both bodies have the same elastic constants)" solve --poisson-2 0.2
   refuses 2 "unexpected --shear-modulus-2 (both bodies have the same elastic constants)" solve --shear-modulus-2 1e9
   refuses 2 "unexpected --radius (a curve keeps the half-width: that of solve --radius)" creep-curve --radius 0.46
