@@ -512,7 +512,7 @@ Enclosed about_the_traction(CurveSamples& x, Branch branch, double asked) {
     const double low = x.points[i - 1].rho, high = x.points[i].rho;
     const LocalCurve local = local_curve(x.points, (low + high) / 2, high <= 1);
     const double rho = place_of(local, 0, asked, low, high);
-    if (k > 0 && std::abs(rho - before) < 5e-3) break;
+    if (k > 0 && std::abs(rho - before) < 5e-3 * std::min(1.0, 2 - rho)) break;
     const std::size_t nearest = rho - low < high - rho ? i - 1 : i;
     const bool is_there = std::abs(x.points[nearest].rho - rho) < 1e-6;
     if (!is_there && !add(x, i, rho, x.points[nearest].solution)) break;

@@ -1006,6 +1006,18 @@ TEST(HotFriction, FallingBranchEndsAtAContact) {
   }
 }
 
+// Far in full slip a small part of the curve's parameter is a large one of the creep.
+TEST(HotFriction, FallingTractionsNextToTheFloorAreFound) {
+  Scene scene{0.6, 120.19, 0.004907};
+  scene.law = piecewise_linear_friction({0.00582, 0.112});
+  for (const double traction : {0.0674877, 0.068, 0.08}) {
+    const CoupledSolution x = solve(scene, {Quantity::traction, traction, Branch::falling}, 1e-5);
+    const CoupledSolution y = at_creep(scene, x.value(Quantity::creep), 1e-7);
+    EXPECT_NEAR(y.value(Quantity::traction), traction,
+                y.error(Quantity::traction) + x.error(Quantity::creep));
+  }
+}
+
 // Without heat Carter's border has the traction at once, and a second sample of the curve would
 // stand where the first one does. A reference temperature above all that is reached changes
 // nothing.
