@@ -96,18 +96,24 @@ void approach_end(CurveSamples& x, double asked, double place) {
   }
 }
 
-/// On the coarsest grid with which one of half its unknowns agrees to a thousandth, and which the
-/// curve then has; false if there is none, or no contact.
-bool resolve(CreepCurve& curve, OnCurve& at, const GridSolution& from) {
+/// Solve on finer grids until two agree; last is the sample before it. The curve then has the
+/// coarser of both. False if no two agree, or if it is no contact.
+bool resolve(CreepCurve& curve, OnCurve& at, const OnCurve& last) {
   const int before = curve.n;
-  for (double coarse = at.traction(); 2 * curve.n <= most_unknowns; coarse = at.traction()) {
-    curve.n *= 2;
-    at.solution = solution_on(curve, at.rho, from);
-    if (at.solution.newton_steps == 0) break;
-    if (std::abs(at.traction() - coarse) > 1e-3 * std::abs(coarse)) continue;
-    forget_the_edge(at.solution, 0.005, curve.scene.bulk_difference != 0);
-    if (at.solution.violations.empty()) return true;
-    break;
+  std::optional<double> coarse;
+  for (int n = before, coarser = n;; coarser = n, n = std::min(2 * n, most_unknowns)) {
+    curve.n = n;
+    at.solution = solution_on(curve, at.rho, last.solution);
+    const double fall = last.traction() - at.traction();
+    const double by_creep = fall / std::log((2 - last.rho) / (2 - at.rho));
+    const bool solved = at.solution.newton_steps > 0;
+    if (solved && coarse && std::abs(at.traction() - *coarse) < 0.01 * by_creep) {
+      curve.n = coarser;
+      forget_the_edge(at.solution, 0.005, curve.scene.bulk_difference != 0);
+      return at.solution.violations.empty();
+    }
+    coarse = solved ? std::optional(at.traction()) : std::nullopt;
+    if (n == most_unknowns) break;
   }
   curve.n = before;
   return false;
@@ -121,14 +127,14 @@ void approach_last_contact(CurveSamples& x, double asked) {
   for (bool ends = false; !ends && all.back().rho > 1 && is_lower(all.back(), highest);) {
     OnCurve last = all.back();
     all.pop_back();
-    ends = resolve(x.curve, last, all.back().solution);
+    ends = resolve(x.curve, last, all.back());
     if (ends) all.push_back(last);
   }
   double part = 0.5;
   while (part < 0.97 && 2 - all.back().rho > 1.5e-3 && !(all.back().traction() < asked)) {
     const double left = part * (2 - all.back().rho);
-    OnCurve next{2 - left, solution_on(x.curve, 2 - left, all.back().solution)};
-    const bool resolved = resolve(x.curve, next, all.back().solution);
+    OnCurve next{2 - left, {}};
+    const bool resolved = resolve(x.curve, next, all.back());
     if (resolved) all.push_back(next);
     if (!resolved) part = std::sqrt(part);
   }
@@ -557,8 +563,9 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     const bool far = k == 0 && std::abs(level.at.c0() - last.at.c0()) > room;
     const bool leaps = room > 0 && std::abs(carried(stick_slip_border)) > room;
     const double off = last.at.slip < 0.1 ? 1 : far ? 0.4 : 0.02;
+    const bool coarse = k == 0 && last.at.stick == 0;
     const bool close = is_close(level, last, given, slope, limit);
-    if (close && !leaps && off * carried.head(compared).abs().maxCoeff() < share) break;
+    if (close && !leaps && !coarse && off * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }
@@ -655,10 +662,12 @@ void refuse_beyond(const CurveSamples& x, const std::optional<TractionLimit>& li
   const bool flat = std::count_if(x.points.begin(), x.points.end(), is_highest) > 1;
   const char* why = flat ? "; all slips at the largest, and the creep is not determined" : "";
   if (!limit && !(asked < top)) require(false, "traction", sign * asked, range() + why);
-  if (branch == Branch::falling)
-    require(asked > end, "traction", sign * asked,
-            range_text(sign * (end + margin), most) +
-                " on the falling branch, as far as it is followed");
+  if (branch == Branch::rising || asked > end) return;
+  if (!(end + margin < sign * most))
+    throw NotResolved("coupled: the falling branch is within the error of the largest traction",
+                      {});
+  const std::string followed = " on the falling branch, as far as it is followed";
+  require(false, "traction", sign * asked, range_text(sign * (end + margin), most) + followed);
 }
 
 }  // namespace

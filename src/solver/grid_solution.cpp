@@ -63,11 +63,12 @@ HottestPoint peak_in(const SlipVariable& by, const GridSolution& x) {
   return {place_in(by, SlipPoint(1 + x.peak.y, 1 - x.peak.y, own)), 0, x.peak.curvature};
 }
 
-/// The coefficients of the h of a solution with as many unknowns or fewer.
+/// The coefficients of the h of a solution; of one with more unknowns the first ones.
 VectorXd carried_to(const ContactGrid& grid, const GridSolution& from) {
   const SlipVariable &own = grid.nodes.zones.variable, &other = from.at.variable;
   VectorXd h = VectorXd::Zero(grid.nodes.y.size());
-  h.head(from.h.size()) = from.h;
+  const Index shared = std::min(h.size(), from.h.size());
+  h.head(shared) = from.h.head(shared);
   if (own == other) return h;
   const ArrayXd y = grid.nodes.y.unaryExpr(
       [&](double place) { return place_in(other, SlipPoint(1 + place, 1 - place, own)); });

@@ -276,6 +276,7 @@ def Scalars():
 def RefusesWhatIsNoWord():
     raises(ValueError, "roller must be one of insulated, identical, conducting", thermoroll.solve, **steel, traction=0.1, roller="steel")
     raises(ValueError, "method must be one of", thermoroll.solve, **steel, traction=0.1, method=["auto", "closed_form"])
+    raises(ValueError, "formulation must be one of", thermoroll.solve, **steel, traction=0.1, formulation=None)
     raises(TypeError, "exactly one of traction, creep and stick_slip_border is needed", thermoroll.solve, **steel)
     raises(TypeError, "exactly one of", thermoroll.solve, **steel, traction=0.1, creep=0.1)
     raises(TypeError, "nodes must be whole numbers", thermoroll.solve, **steel, traction=0.1, nodes=20.5)

@@ -1016,6 +1016,11 @@ TEST(HotFriction, FallingTractionsNextToTheFloorAreFound) {
     EXPECT_NEAR(y.value(Quantity::traction), traction,
                 y.error(Quantity::traction) + x.error(Quantity::creep));
   }
+  Scene vanishing{0.1544, 223.39, 0.008236};
+  vanishing.law = linear_friction({0.003714});
+  const Prescribed little{Quantity::traction, 0.00733204189, Branch::falling};
+  const CoupledSolution x = solve(vanishing, little, 1e-2), y = solve(vanishing, little, 1e-7);
+  EXPECT_NEAR(x.value(Quantity::creep), y.value(Quantity::creep), x.error(Quantity::creep));
 }
 
 // Without heat Carter's border has the traction at once, and a second sample of the curve would

@@ -167,7 +167,8 @@ def _scenes(members: dict[str, ArrayLike | None]) -> NDArray:
             "exactly one of traction, creep and stick_slip_border is needed, or in SI units creep_ratio or tangential_load"
         )
     members = {**members, "friction_reference_temperature": _over_bulk(members)}
-    known = {name: x for name, x in members.items() if x is not None and name not in _words["quantity"]}
+    known = {name: x for name, x in members.items() if x is not None or name in _words}
+    known = {name: known[name] for name in known if name not in _words["quantity"]}
     known.update(quantity=given[0], given=_numbers(given[0], members[given[0]]))
     numbers = {name: _numbers(name, x) for name, x in known.items()}
     try:
