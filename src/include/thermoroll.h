@@ -140,7 +140,7 @@ struct thermoroll_result {
   uint32_t size;     ///< sizeof(struct thermoroll_result), set by the caller in the first
   int32_t status;    ///< enum thermoroll_status
   int32_t model;     ///< enum thermoroll_model
-  int32_t unknowns;  ///< of the last grid; 0 without one
+  int32_t unknowns;  ///< of the coupled solver's last grid; else 0
   struct thermoroll_values value, error;
   char message[256];  ///< why it failed, or why this model was enough; cut if too long
   struct thermoroll_units unit;

@@ -231,7 +231,7 @@ class Solution(Values):
     errors: Values  #: estimated absolute errors; NaN for the published scheme
     status: NDArray  #: 0 done, 1 failed, 2 refused, 3 not converged, 5 no contact
     model: NDArray  #: "closed-form", "first-order" or "coupled"; "" for none
-    unknowns: NDArray  #: of the last grid, 0 without one
+    unknowns: NDArray  #: of the coupled solver's last grid, else 0
     physical: Physical | None  #: of data in SI units
     physical_errors: Physical | None
     _messages: NDArray
