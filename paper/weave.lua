@@ -1185,9 +1185,9 @@ local function chunk_box(piece, open)
       step(chunk.pieces[piece.part - 1], "↑", "previous"),
       step(chunk.pieces[piece.part + 1], "↓", "next"))
   end
-  return raw(string.format('<details id="%s"%s>\n<summary>'
-    .. '<i>%s</i>%s</summary>\n<div>%s</div>\n'
-    .. '<p>%s</p>\n</details>', escape(anchor(piece)), open and ' open=""' or "",
+  return raw(string.format('<details id="%s"%s><summary>'
+    .. '<i>%s</i>%s</summary>\n<div>%s</div>'
+    .. '<p>%s</p></details>', escape(anchor(piece)), open and ' open=""' or "",
     piece.html_title, parts, piece_code(piece), table.concat(notes, " · ")))
 end
 
@@ -1282,7 +1282,7 @@ local function code_block(block)
   local lines = {}
   for line in (block.text .. "\n"):gmatch("(.-)\n") do table.insert(lines, line) end
   local html = table.concat(highlighted(lines, block.classes[1] or "", coloured), "\n")
-  return raw('<div class="c listing"><pre>' .. html .. "</pre></div>")
+  return raw('<div class="listing"><pre>' .. html .. "</pre></div>")
 end
 
 -- 8. The tests' names, quietly ----------------------------------------------------------------------
