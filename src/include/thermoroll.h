@@ -145,7 +145,7 @@ struct thermoroll_result {
   char message[256];  ///< why it failed, or why this model was enough; cut if too long
   struct thermoroll_units unit;
   struct thermoroll_physical physical, physical_error;
-  char notes[256];  ///< data beyond the model, as a modulus in GPa, as many as fit; empty if unsolved
+  char notes[256];  ///< data beyond the model, as a modulus in GPa, that fit; empty if unsolved
 };
 
 /// A point along the contact, which the surfaces enter at s = -1 and leave at s = 1; or where the
