@@ -101,19 +101,18 @@ void approach_end(CurveSamples& x, double asked, double place) {
 bool resolve(CreepCurve& curve, OnCurve& at, const OnCurve& last) {
   const int before = curve.n;
   std::optional<double> coarse;
-  for (int n = before, coarser = n;; coarser = n, n = std::min(2 * n, most_unknowns)) {
+  for (int n = before; n <= most_unknowns; n *= 2) {
     curve.n = n;
     at.solution = solution_on(curve, at.rho, last.solution);
     const double fall = last.traction() - at.traction();
     const double by_creep = fall / std::log((2 - last.rho) / (2 - at.rho));
     const bool solved = at.solution.newton_steps > 0;
     if (solved && coarse && std::abs(at.traction() - *coarse) < 0.01 * by_creep) {
-      curve.n = coarser;
+      curve.n = n / 2;
       forget_the_edge(at.solution, 0.005, curve.scene.bulk_difference != 0);
       return at.solution.violations.empty();
     }
     coarse = solved ? std::optional(at.traction()) : std::nullopt;
-    if (n == most_unknowns) break;
   }
   curve.n = before;
   return false;

@@ -110,7 +110,7 @@ struct FoundInSi {
   /// If the bulk temperatures differ: W/m, and the load in N/m and the creep as a fraction of the
   /// speed without slip.
   std::optional<Estimate> exchanged_heat{}, no_slip_load{}, no_slip_creep_ratio{};
-  PhysicalScene data{};
+  PhysicalScene data{};  ///< that these were computed from
 };
 
 /// Whether a prescribed creep is xi*, or the fraction xi of the speed.
