@@ -685,6 +685,15 @@ TEST(Exchange, HotterBodiesThatDistortMoreSeparateAtTheEdge) {
     EXPECT_GT(found.violations[1].to, found.violations[0].to);
     EXPECT_LT((1 + found.violations[1].to) / x.width, 2);
   }
+  // The roller that conducts and expands better, 400 K hotter, lifts off beside the edge.
+  Scene better{0.3, 5571, 0.0123, {4.74, 0.0391, 929}};
+  better.bulk_difference = 0.01048;
+  const CoupledSolution found =
+      solve_coupled(better, {Formulation::corrected, 1e-4}, {Quantity::stick_slip_border, 0.2});
+  ASSERT_FALSE(found.violations.empty());
+  EXPECT_EQ(found.violations[0].what, "separation");
+  EXPECT_GT(found.violations[0].from, -1 + 1e-4);
+  EXPECT_LT(found.violations[0].to, -1 + 2e-3);
 }
 
 // Where nothing slips, q / (f p) of identical bodies comes to H Pe Theta / 2 at the trailing edge

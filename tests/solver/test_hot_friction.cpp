@@ -920,6 +920,24 @@ TEST(HotFriction, MaximumInsideFullSlipIsFound) {
   }
 }
 
+// Friction that hardly falls has its largest traction where all begins to slip. A hundredth beyond
+// the traction is less by some millionths only, and yet that is no range of creeps.
+TEST(HotFriction, MaximumInsideFullSlipMayHardlyBeHigher) {
+  Scene scene{0.321295472861, 254.214143022, 1.26012766784e-05};
+  scene.roller = {8.05207864322, 2.76950606351e-06, 1140.84021944};
+  scene.law = rational_friction({0.187626554604, 0.579891329802});
+  for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+    const auto x = solve(scene, {Quantity::traction, 0.308283}, tolerance).limit;
+    ASSERT_TRUE(x);
+    const CoupledSolution y = at_creep(scene, x->creep, 1e-9);
+    EXPECT_NEAR(y.value(Quantity::traction), x->traction,
+                x->traction_error + y.error(Quantity::traction));
+    for (const double share : {0.99, 1.01})
+      EXPECT_LT(at_creep(scene, share * x->creep, 1e-9).value(Quantity::traction),
+                y.value(Quantity::traction) - 1e-6);
+  }
+}
+
 // The contact reaches the reference temperature just before all slips. The curve has a corner
 // between the points and full slip, and the errors reach from one to the other. The maximum is at
 // the creep that is given here, by solutions for many creeps.
