@@ -760,18 +760,30 @@ TEST(HotFriction, MaximumIsOnEitherSideOfFullSlip) {
   Scene weak{0.084233, 52.6828, 6.87666e-5}, strong{0.218191723, 2.43993541, 1.65089331};
   weak.law = rational_friction({0.0738241, 0.571282, 0.00148835});
   strong.law = exponential_friction({0.870621635, 0.294796327, 0.0202703767});
-  for (const Scene& scene : {weak, strong})
-    for (const double tolerance : {1e-4, 1e-6}) {
-      const auto x = solve(scene, {Quantity::traction, 0.9 * scene.friction}, tolerance).limit;
+  Scene weaker{0.767053813321, 2.22177049269, 2.88511546575},
+      before{0.530994692093, 3417.65104886, 0.000286355809928};
+  weaker.law = rational_friction({157.434895678, 0});
+  before.roller = {0.4732746331, 0.000122372660447, 5558.55924814};
+  before.bulk_difference = -0.000238338575278;
+  before.law = exponential_friction({0.000871706435455, 0.8237419132, 0.00167680064808});
+  for (const Scene& scene : {weak, strong, weaker, before}) {
+    const Prescribed given{Quantity::traction, 0.9 * scene.friction};
+    const auto finer = solve(scene, given, 1e-8).limit;
+    ASSERT_TRUE(finer);
+    for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+      const auto x = solve(scene, given, tolerance).limit;
       ASSERT_TRUE(x);
-      for (const double share : {0.98, 0.99, 1.0, 1.01, 1.02}) {
-        const CoupledSolution y = at_creep(scene, share * x->creep, 1e-7);
-        const double error = x->traction_error + y.error(Quantity::traction);
-        EXPECT_LT(y.value(Quantity::traction), x->traction + error);
-        if (share != 1) continue;
-        EXPECT_GT(y.value(Quantity::traction), x->traction - error);
-      }
+      EXPECT_NEAR(x->creep, finer->creep, x->creep_error + finer->creep_error);
+      EXPECT_NEAR(x->traction, finer->traction, x->traction_error + finer->traction_error);
     }
+    for (const double share : {0.98, 0.99, 1.0, 1.01, 1.02}) {
+      const CoupledSolution y = at_creep(scene, share * finer->creep, 1e-7);
+      const double error = finer->traction_error + y.error(Quantity::traction);
+      EXPECT_LT(y.value(Quantity::traction), finer->traction + error);
+      if (share != 1) continue;
+      EXPECT_GT(y.value(Quantity::traction), finer->traction - error);
+    }
+  }
 }
 
 // Friction that hardly falls has its maximum at a very short stick zone, 2c of the half-width.
@@ -1141,7 +1153,13 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
   uneven.roller = {1, 4.637873953053307e-06, 0.02296965148594143};
   uneven.bulk_difference = 0.041642024968000325;
   uneven.law = piecewise_linear_friction({0.6892581643845163, 1.4114794524560008});
-  for (const Scene& other : {cold, at_floor, shortly, rises, uneven})
+  Scene warmed{0.353336433809, 0.334693777375, 4.74475943132};
+  warmed.roller = {1.00052446222, 8.04765054436, 0.101667988203};
+  warmed.bulk_difference = 0.304645003386;
+  warmed.law = piecewise_linear_friction({0.921186405877, 0.139808138649, 0.296770935156});
+  Scene warm{0.907252260498, 4.33074712383, 0.155135218419};
+  warm.law = rational_friction({0.709957723507, 0, 0.17933339724});
+  for (const Scene& other : {cold, at_floor, shortly, rises, uneven, warmed, warm})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
   const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));
