@@ -560,13 +560,10 @@ GridSolution settle(CreepCurve curve, const Prescribed& given, const GridSolutio
     const double moved = level.value(traction) - last.value(traction);
     if (k > 0 && std::abs(moved) > 1e-12) slope = (level.value - last.value) / moved;
     const Results carried = slope * residual(level, given) / scale_in(scene, level.value);
-    const double room = 0.1 * std::min(last.at.stick, last.at.slip);
-    const bool far = k == 0 && std::abs(level.at.c0() - last.at.c0()) > room;
-    const bool leaps = room > 0 && std::abs(carried(stick_slip_border)) > room;
-    const double off = last.at.slip < 0.1 ? 1 : far ? 0.4 : 0.02;
+    const double off = last.at.slip < 0.1 ? 1 : 0.02;
     const bool coarse = k == 0 && last.at.stick == 0;
     const bool close = is_close(level, last, given, slope, limit);
-    if (close && !leaps && !coarse && off * carried.head(compared).abs().maxCoeff() < share) break;
+    if (close && !coarse && off * carried.head(compared).abs().maxCoeff() < share) break;
   }
   return level;
 }

@@ -224,6 +224,7 @@ struct Corner {
 
 struct Findings {
   bool solved = true, kinked = false;
+  bool rises = true;      // the creep from node to node
   Corner corner{};        // the first one
   std::string lost{};     // why there is no contact at one of them; empty if there is
   double first_lost = 0;  // its w
@@ -296,7 +297,8 @@ Trial try_piece(HalfInTheMaking& x, const LawGrid& grid, double from, double to,
     trial.of_grid = trial.of_grid.max(times * moved);
     if (!is_too_coarse(trial, x.tolerance) || (trial.error > 10 * x.tolerance).any()) break;
   }
-  if (found.fails() || !rises(y)) return no_piece(found);
+  found.rises = rises(y);
+  if (found.fails() || !found.rises) return no_piece(found);
   trial.found = found;
   return trial;
 }
@@ -327,7 +329,7 @@ std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, dou
   const std::string& lost = trial.found.lost;
   while (lost.empty() && by_grid(trial) && grid != &law_grids.back())
     trial = try_piece(x, *++grid, from, to, near);
-  const bool coarse = lost.empty() && is_too_coarse(trial, x.tolerance);
+  const bool coarse = lost.empty() && trial.found.rises && is_too_coarse(trial, x.tolerance);
   const double allowed = coarse ? leeway(grid->n, from, trial.found.kinked) : 1;
   if (lost.empty() && (trial.error <= allowed * x.tolerance).all()) {
     x.half.pieces.push_back(trial.piece);
@@ -338,17 +340,36 @@ std::string add_pieces(HalfInTheMaking& x, const LawGrid* grid, double from, dou
   const bool all_slips = from >= 1;
   const double of_grid = all_slips ? 0.1 : 0.03, of_loss = all_slips ? 5e-3 : 3e-4;
   const double least = coarse ? of_grid : lost.empty() ? 3e-4 : of_loss;
-  if (end - from < least * (2 - from)) return lost.empty() ? not_resolved : lost;
+  const std::string early = trial.found.rises ? not_resolved : turns_back;
+  if (end - from < least * (2 - from)) return lost.empty() ? early : lost;
   const double middle = place_to_divide(x.curve, trial, std::min(grid->n, 40), from, end);
   const LawGrid* coarser = std::max(grid - 1, law_grids.data());
   const std::string reason = add_pieces(x, coarser, from, middle, near, trial.error);
   return reason.empty() ? add_pieces(x, grid, middle, end, near, trial.error) : reason;
 }
 
+/// Without slip, or at the first contact found; the creep alone is that of a solution.
+LawPoint beginning(HalfCurve& curve) {
+  LawPoint first;
+  double& creep = first.at.value(Quantity::creep);
+  creep = curve.rest.creep;
+  if (curve.scene.bulk_difference == 0) return first;
+  first.w = 0.02;
+  for (double w = 0.02; w < 0.5; w *= 2) {
+    const GridSolution x = solution_at(curve, 33, w, {});
+    if (x.newton_steps == 0 || is_lost(curve, w, x).value_or(true)) continue;
+    first.w = w;
+    creep = x.value(Quantity::creep);
+    break;
+  }
+  return first;
+}
+
 /// The last point that has a contact up to w = 1, and the reason for an end before it.
 std::string go_to_full_slip(HalfCurve& curve, double tolerance, LawPoint& last) {
   if (go_on(curve, tolerance, 1, last).empty()) return "";
   for (const double w : {0.1, 0.4, 0.7, 0.9, 1.0}) {
+    if (w <= last.w) continue;
     const std::string reason = go_on(curve, tolerance, w, last);
     if (!reason.empty()) return find_end(curve, tolerance, w, reason, last);
   }
@@ -404,17 +425,21 @@ double creep_without_stick(const Scene& scene, Formulation formulation, double t
   return last.value(Quantity::creep) + slope(Quantity::creep) * last.at.stick;
 }
 
+bool may_slip_on(const std::string& reason) {
+  return reason == turns_back || reason == not_resolved;
+}
+
 /// Why partial slip ends where its pieces do, for a reason.
 std::string end_of_partial_slip(LawHalf& half, const std::string& reason) {
   const double end = half.pieces.empty() ? 0 : half.pieces.back().to;
-  if (end <= 1) return reason;
+  if (end == 0 || (end <= 1 && !may_slip_on(reason))) return reason;
   half.unit_creep *= end * end;
   for (LawPiece& piece : half.pieces) {
     piece.from /= end;
     piece.to /= end;
     for (double& term : piece.slip_length) term *= end * end;
   }
-  return turns_back;
+  return end > 1 ? turns_back : reason;
 }
 
 /// The contact in full slip at the creep where partial slip ends; nothing if there is none.
@@ -425,24 +450,18 @@ std::optional<LawPoint> full_slip_at_the_end(HalfInTheMaking& x, double toleranc
   return go_on(x.curve, tolerance, 1, slips).empty() ? std::optional(slips) : std::nullopt;
 }
 
-/// Whether it is the same to the tolerance as the last piece; if so, last is there.
+/// Whether it goes on where the last piece turns back; if so, last is there.
 bool slips_on(HalfInTheMaking& x, double tolerance, LawPoint& last) {
-  if (x.half.pieces.empty()) return false;
+  if (x.half.pieces.empty() || !may_slip_on(x.half.reason)) return false;
   const auto slips = full_slip_at_the_end(x, tolerance);
   if (!slips) return false;
   const LawErrors jump = missed(x.half.pieces.back(), true, stored(x, true, 1, slips->at));
-  if ((jump > x.tolerance).any()) return false;
+  LawErrors most = x.tolerance;
+  if (x.curve.scene.bulk_difference != 0) most(2) = std::max(most(2), 0.005);
+  if ((jump > most).any()) return false;
   x.error = x.error.max(jump);
   last = *slips;
   return true;
-}
-
-double first_contact(HalfCurve& curve) {
-  for (double w = 0.02; w < 0.5; w *= 2) {
-    const GridSolution x = solution_at(curve, 33, w, {});
-    if (x.newton_steps > 0 && !is_lost(curve, w, x).value_or(true)) return w;
-  }
-  return 0.02;
 }
 
 /// On a grid of n unknowns.
@@ -481,14 +500,12 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
   rest.traction *= sign;
   HalfInTheMaking x{{scene, formulation, rest, creep_without_stick(scene, formulation, tolerance)},
                     LawErrors::Constant(tolerance)};
-  LawPoint last;
-  last.at.value(Quantity::creep) = rest.creep;
+  const LawPoint first = beginning(x.curve);
+  LawPoint last = first;
   x.half.reason = go_to_full_slip(x.curve, tolerance / 3, last);
   x.half.unit_creep = last.at.value(Quantity::creep) - rest.creep;
   x.tolerance(1) *= scale_in(scene, last.at.value)(Quantity::max_temperature);
-  double first = 0;
   if (scene.bulk_difference != 0) {
-    first = first_contact(x.curve);
     x.tolerance(2) *= 300;
     const auto end = last.w == 1 ? end_before_full_slip(x, tolerance / 3) : std::nullopt;
     if (end) {
@@ -497,13 +514,14 @@ HalfInTheMaking half_law(const Scene& scene, Formulation formulation, double tol
       x.half.reason = turns_back;
     }
   }
-  const std::string early = last.w > 0 ? add_pieces(x, last.grid, first, last.w, {}) : "";
+  const bool sticks = last.w > first.w;
+  const std::string early = sticks ? add_pieces(x, last.grid, first.w, last.w, {}) : "";
   if (!early.empty()) x.half.reason = end_of_partial_slip(x.half, early);
   const bool to_its_end = early.empty() && last.w == 1;
-  if (to_its_end || (x.half.reason == turns_back && slips_on(x, tolerance / 3, last)))
+  if (to_its_end || slips_on(x, tolerance / 3, last))
     x.half.reason = add_slipping_pieces(x, reach, tolerance / 3, last);
   end_after_pieces(x.half, reach);
-  if (first > 0 && last.w > 0) x.error += change_before(x, 106, first);
+  if (first.w > 0 && sticks) x.error += change_before(x, 106, first.w);
   return x;
 }
 

@@ -163,6 +163,33 @@ TEST(CreepLaw, BeginsWhereTheContactDoes) {
   EXPECT_LT(lost, 6);
 }
 
+// Ceramic on cast iron that is 140 K colder, and unlike bodies in strong heat: while braking no
+// contact with one slip zone exists next to no slip, over a sixth of the way in w, and the creep
+// turns back just before all slips. A law begins beyond the one and goes on beyond the other.
+TEST(CreepLaw, BeginsBeyondCreepsWithoutAContact) {
+  Scene ceramic{0.058, 687.99, 0.0028071756856931063};
+  ceramic.roller = {1.7333333333333334, 0.0035427096994925015, 412.794};
+  ceramic.bulk_difference = -2.4467876264912762;
+  ceramic.law = thermoroll::rational_friction({2.4118335175414005, 0.63});
+  Scene strong{0.072, 428, 0.252, {6.78, 2.12, 592}};
+  strong.bulk_difference = 2.94e-5;
+  strong.law = thermoroll::linear_friction({9.02e-5, 0.74});
+  for (const auto& [scene, tolerance] : {std::pair{ceramic, 1e-4}, {strong, 2e-5}}) {
+    const CreepLaw law = creep_law(scene, Formulation::corrected, tolerance, {-1, -0.01});
+    const double traction_error = law.traction_error;
+    for (const double share : {0.3, 0.7, 0.95, 1.02, 1.5, 20.0}) {
+      const double creep = law.no_slip_creep - share * law.braking.unit_creep;
+      const CoupledSolution x = solved(scene, creep, 1e-6);
+      const LawValue y = evaluate(law, creep).value();
+      EXPECT_NEAR(-y.traction, x.value(Quantity::traction), traction_error) << creep;
+      EXPECT_NEAR(y.border, x.value(Quantity::stick_slip_border), law.border_error) << creep;
+      EXPECT_NEAR(y.temperature, x.value(Quantity::max_temperature),
+                  law.temperature_error * std::max(1.0, share))
+          << creep;
+    }
+  }
+}
+
 // Before the first piece of such a law the temperature is constant, and its change is an error.
 TEST(CreepLaw, NextToNoSlipTheTemperatureHasItsError) {
   Scene scene{0.4, 300, 0.02, {1.5, 0.01}};
