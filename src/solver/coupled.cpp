@@ -78,7 +78,7 @@ Results error_of_bulk(const Scene& scene, const GridSolution& level, const Presc
   error(creep) = error(creep_constant) = x->rest.creep_error;
   const bool at_the_edge = 1 - level.value(max_temperature_at) < 0.01;
   error(max_temperature) = (at_the_edge ? 4 : 1) * x->temperature_error;
-  error(heat_integral) = scene.friction * level.value(slip_length) * x->rest.creep_error;
+  error(heat_integral) = 2 / pi * level.value(slip_length) * x->rest.creep_error;
   error += slope.abs() * error(given.quantity);
   error(given.quantity) = 0;
   return std::abs(scene.bulk_difference) * error;

@@ -64,8 +64,8 @@ Density downstream(const Scene& scene, double u) {
           delta / (root * a)};
 }
 
-/// Add panels from a point where a density is like a square root to another; the first has this
-/// length.
+/// Add panels from a point where a density is like a root or its inverse to another; the first
+/// has this length.
 void add_panels(Exponentials& sum, double from, double to, double first) {
   const GaussLegendre& rule = gauss_legendre(12);
   const double sign = to > from ? 1 : -1, length = std::abs(to - from);

@@ -511,7 +511,7 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
                           : "steel melts there with all heat in one body: two steel bodies are "
                             "about half as hot";
   const char* of_gamma =
-      "is the modulus that of shear, and are expansion and diffusivity and conductivity in SI "
+      "is the modulus that of shear and are expansion and diffusivity and conductivity in SI "
       "units?";
   const double hottest = x.max_temperature_celsius + si.bulk_temperature.value_or(0);
   const char* of_capacity = "solids have 1e6 to 4e6 J/(m^3 K)";
@@ -525,14 +525,15 @@ std::vector<std::string> beyond_the_model(const PhysicalResults& x, const Physic
        units},
       {"half_width", x.half_width, 0.1, "rolling contacts are centimetres wide at most", units},
       {"friction", friction, 2, "solids have 0.01 to 1.5",
-       si.law ? "is it a ratio and no percentage, and does its law hold at such temperatures?"
+       si.law ? "is it a ratio and no percentage and does its law hold at such temperatures?"
               : "is it a ratio and no percentage?"},
       {"grueneisen", gamma, 3, "solids have 0.5 to 2", of_gamma},
       {"grueneisen_2", gamma_2 == gamma ? 0 : gamma_2, 30, "solids have 0.5 to 2", of_gamma},
       {"heat_capacity", capacity_1(si), 6e6, of_capacity, "do conductivity and diffusivity agree?"},
       {"heat_capacity_2", capacity_2(si) == capacity_1(si) ? 0 : capacity_2(si), 6e6, of_capacity,
        "is diffusivity-2 that of the roller's material?"},
-      {"speed", si.speed, 300, "a tenth of that of sound in steel", "is it in m/s or in mm/s?"},
+      {"speed", si.speed, 300, "a tenth of that of shear waves in steel",
+       "is it in m/s or in mm/s?"},
       {si.bulk_temperature ? "contact_temperature_celsius" : "max_temperature_celsius", hottest,
        1500, melts, units}};
   std::vector<std::string> notes;

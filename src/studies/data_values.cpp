@@ -137,7 +137,8 @@ void values_of_the_claims(nlohmann::ordered_json& v) {
   v["claims_extended"] = std::to_string(count_of(all, Judgement::extended));
   v["claims_untestable"] = std::to_string(count_of(all, Judgement::untestable));
   const PhysicalScene steel = wheel_on_rail();
-  const double hottest = paper::coupled(0.59, 15000).value(Quantity::max_temperature);
+  const double peclet_at_75 = 75 * steel.half_width / (2 * steel.diffusivity);
+  const double hottest = paper::coupled(0.59, peclet_at_75).value(Quantity::max_temperature);
   v["celsius_largest"] = fixed(hottest * celsius_per_unit(75), 0);
   const Profile hot = profile(corrected(0.5));
   const Carter cold = paper::closed_form(0.5);

@@ -1032,7 +1032,8 @@ NotesOnDataBeyondTheModel() {
   run temperature "${in_gpa[@]}" --at 0.5
   [ $status -eq 0 ] && [ "$(wc -l <err)" -eq 4 ] || fail "status $status: $(cat err)"
   run solve "${wheel[@]/1.4e-5/14}" --traction 0.3 --method closed-form # in mm^2/s
-  grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 3 .*: is the modulus that of shear, and are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
+  grep -q '^thermoroll: note: grueneisen = [0-9.e+]* is above 3 .*: is the modulus that of shear and are expansion and diffusivity and conductivity in SI units?$' err || fail "$(cat err)"
+  grep '^thermoroll: note: ' err | grep ',' && fail "a note with a comma"
   # The load of a wheel in N.
   run solve "${wheel[@]/1.2e7/1.08e5}" --creep-ratio 0.005
   [ $status -eq 0 ] && one_line "note: hertz_pressure = 1.25e+07 is below 1.62e+08 (a five-hundredth of the shear modulus): is the load that of a metre of the contact's width and a radius in m?"
@@ -1076,7 +1077,7 @@ NotesOnCreepCurves() {
 
 # A failure is told with the notes on its data, in one line; without them where the data are as they should be.
 NotesOnFailures() {
-  local si=("${wheel[@]}" --roller identical) about="; note: grueneisen = 1.[0-9]*e+06 is above 3 (solids have 0.5 to 2): is the modulus that of shear, and are expansion and diffusivity and conductivity in SI units?"
+  local si=("${wheel[@]}" --roller identical) about="; note: grueneisen = 1.[0-9]*e+06 is above 3 (solids have 0.5 to 2): is the modulus that of shear and are expansion and diffusivity and conductivity in SI units?"
   fails() { # fails STATUS BEGINNING NOTE ARGUMENT...
     local expected=$1 beginning=$2 note=$3
     shift 3
