@@ -832,8 +832,9 @@ With data in SI units there are columns for the creep as a fraction of the speed
 tangential load in N/m and the largest rise in degree C; with --bulk-temperature also the temperature
 itself. A curve is of one --half-width: that of a radius is told by solve --radius. If the bulk
 temperatures differ, a curve goes on where the bodies separate, or exceed friction, over less than
-0.005 of the half-width at the leading edge; solve tells that it is no contact. Unless --roller says
-otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as hot.)";
+0.005 of the half-width at the leading edge, and next to no slip, where one slip zone may not be
+enough; solve tells that it is no contact. Unless --roller says otherwise, all heat goes into one
+body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* law_examples = R"(Examples:
   thermoroll law --friction 0.6 --peclet 4360 --heating 0.0175 --roller identical --output law.c
@@ -851,9 +852,9 @@ or two; one speed to 1e-3 mostly takes seconds. A law is of one --half-width: th
 by solve --radius. Two laws in one C program need names of their own, as by
 cc -Dcreep_law=wheel_law. Creeps above 0.1 of the speed have values, too, but are beyond the model. If
 the bulk temperatures differ, a law goes on where the bodies separate, or exceed friction, over less
-than 0.005 of the half-width at the leading edge; solve tells that it is no contact. Unless --roller
-says otherwise, all heat goes into one body: two steel bodies (--roller identical) are about half as
-hot.)";
+than 0.005 of the half-width at the leading edge, and next to no slip, where one slip zone may not be
+enough; solve tells that it is no contact. Unless --roller says otherwise, all heat goes into one
+body: two steel bodies (--roller identical) are about half as hot.)";
 
 constexpr const char* figure_data_examples = R"(Examples:
   thermoroll figure-data --list
