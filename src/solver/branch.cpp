@@ -361,13 +361,11 @@ bool is_flat(const Points& points) {
 
 /// Whether the largest traction is that of a range.
 bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
-  const double height = results_at(top)(traction) * (1 - 1e-6);
-  const auto is_flat_at = [&](double rho) {
-    const Points two = around(curve, {top.local, rho, false}, false, 1e-3, points[0].solution);
-    return two.size() == 2 && is_flat(two) && two[0].traction() > height;
-  };
   if (!needs_more_points(top)) return false;
-  return is_flat_at(std::max(top.rho, 1.0)) || (!top.sticks && is_flat_at(1 + top.rho / 2));
+  const double rho = std::max(top.rho, 1.0);
+  const Points two = around(curve, {top.local, rho, false}, false, 1e-3, points[0].solution);
+  return two.size() == 2 && is_flat(two) &&
+         two[0].traction() > results_at(top)(traction) * (1 - 1e-6);
 }
 
 bool has_turned_back(const CreepCurve& curve, const Points& points) {
