@@ -335,6 +335,8 @@ def LawsThatAreNot():
     raises(ValueError, "tolerance = 1 is not allowed", thermoroll.law, **steel, tolerance=1.0)
     raises(ValueError, "single numbers", thermoroll.law, friction=[0.5, 0.6], peclet=10)
     raises(ValueError, "reach", thermoroll.law, **steel, reach=-1.0)
+    raises(TypeError, "reach must be real numbers", thermoroll.law, **steel, reach="1")
+    raises(TypeError, "reach must be a single number", thermoroll.law, **steel, reach=[1.0, 2.0])
     for _ in range(3):  # laws that are dropped are freed once
         law = thermoroll.law(**steel, tolerance=1e-2, reach=1.0)
         law._free()

@@ -583,7 +583,10 @@ def law(
         raise ValueError("a law is of one scene: its arguments are single numbers")
     info = np.zeros((), _law_info)
     info["size"] = _law_info.itemsize
-    handle = _law_new(scene.ctypes.data, reach, info.ctypes.data)
+    farthest = _numbers("reach", reach)
+    if farthest.shape:
+        raise TypeError("reach must be a single number")
+    handle = _law_new(scene.ctypes.data, float(farthest), info.ctypes.data)
     if not handle:
         _raise(info)
     return Law(handle, info)
