@@ -269,7 +269,8 @@ $(study_files): build/data/%: figures/measured/study/% | build/data
 build/data/sign.csv: figures/measured/sign.csv | build/data
 $(kept_files):
 	$(call step,copying $@)
-	@cp $< $@
+	@cp $< $@.tmp
+	@mv $@.tmp $@
 
 # Nothing else is computed while the benchmarks run, and they run again only when they are others.
 build/benches-built: build/built | build/release/with-bench
@@ -347,11 +348,11 @@ build/colours: $(chapters) paper/weave.lua paper/tangle.lua | build
 build/report.html: as := $(addprefix -M live=yes --include-after-body=,$(with_live))
 build/report.html: $(with_live) build/colours
 build/paper.html: as := -M paper=yes
-build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib) \
+build/report.html build/paper.html: $(chapters) $(wildcard paper/*.lua paper/*.html paper/*.css paper/*.bib paper/*.sed) \
     $(wildcard figures/measured/*.csv tests/*/*.cpp tests/*/*.sh tests/*/*.py tests/*/CMakeLists.txt) build/math.woff2 $(data_files) $(kept_files) $(counted_files) $(timed_files) $(figure_files)
 	$(call step,writing $@)
 	@$(weave) $(as) --fail-if-warnings $(addprefix -M revision=,$(revision)) $(addprefix -M date=,$(date)) $(addprefix -M tree=swh:1:dir:,$(tree)) -o $@.tmp
-	@sed -i 's/<tr class="[a-z]*">/<tr>/' $@.tmp # no rule of the style is for odd rows
+	@sed -zi -f paper/report.sed $@.tmp
 	@mv $@.tmp $@
 
 drafted = $(wildcard paper/$(CHAPTER)-*.md)

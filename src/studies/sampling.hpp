@@ -9,7 +9,7 @@
 
 namespace thermoroll {
 
-/// Random numbers that are the same on every machine.
+/// Random numbers that are the same on every machine, log_uniform() but for the rounding of pow.
 struct Random {
   std::mt19937_64 bits;
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  // 0 <= x < 1

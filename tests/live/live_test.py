@@ -163,6 +163,23 @@ def NumbersAreThoseOfTheProgram():
     assert solved > 250
 
 
+def CurvesCarryTheHeat():
+    """The curves' f phi p* v* along the slip zone is the heat, to the error of a trapezoidal rule on 60
+    points that crowd at both ends, about their number squared; friction falls, and all may slip."""
+    hot = {"friction": 0.6, "peclet": 100, "heating": 0.0175, "roller": "insulated", "direction": "driving",
+           "tolerance": 1e-6, "law": "linear", "scale": 0.02, "kind": "creep"}
+    with Browser() as browser:
+        opened(browser)
+        drawn(browser)
+        for x in ({**hot, "value": 0.35}, {**hot, "value": 1}, {**hot, "law": "constant", "value": 0.3}):
+            found = browser.run("window.thermoroll.ask('draw', %s, 'test').then((x) => ({heat: x.value[%d], rows: [...x.contact]}))" %
+                                (str(question(x)).replace("'", '"'), COLUMNS.index("heat_integral")))
+            rows = [found["rows"][i:i + 5] for i in range(0, len(found["rows"]), 5)]
+            slips = [(s, bound * v / x["friction"]) for s, _, bound, _, v in rows if v > 0]
+            heat = sum((t - s) * (a + b) / 2 for (s, a), (t, b) in zip(slips, slips[1:]))
+            assert abs(heat / found["heat"] - 1) < 5e-3, (x, heat, found["heat"])
+
+
 # --- Handles, keys, links ---------------------------------------------------------------------------
 
 def place_of(browser, handle):

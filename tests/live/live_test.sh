@@ -7,6 +7,7 @@ grep -q 'id="solver"' build/report.html || fail "no solver in build/report.html:
 # Each is the function of this name in live_test.py.
 run() { PYTHONDONTWRITEBYTECODE=1 timeout 300 python3 tests/live/live_test.py "$@" || fail "$1"; }
 NumbersAreThoseOfTheProgram() { run "${FUNCNAME[0]}"; }
+CurvesCarryTheHeat() { run "${FUNCNAME[0]}"; }
 HandlesAndKeys() { run "${FUNCNAME[0]}"; }
 Touch() { run "${FUNCNAME[0]}"; }
 SlidersAndMarks() { run "${FUNCNAME[0]}"; }

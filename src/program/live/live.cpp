@@ -123,8 +123,7 @@ int thermoroll_contact() {
   for (Index i = points - 1; by.stick > 0 && i >= 0; --i)
     row(y.stick_at(i), y.stick_pressure(i), y.stick_bound(i), y.stick_traction(i), 0);
   for (Index i = 0; i < points; ++i)
-    row(y.slip_at(i), y.slip_pressure(i), y.slip_traction(i), y.slip_traction(i),
-        y.heat_flux(i) / y.slip_pressure(i));
+    row(y.slip_at(i), y.slip_pressure(i), y.slip_traction(i), y.slip_traction(i), y.slip(i));
   return static_cast<int>(to - curve);
 }
 

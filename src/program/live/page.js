@@ -251,7 +251,8 @@ function live_page(engine) {
       const most = nice(Math.max(...rows.map((row) => row[1]), 1e-9)), to = scales([-1.05, 1.05], [0, most]);
       view.frame(axes(to, marks(-1, 1), marks(0, most), "s", "v*"));
       view.picture.innerHTML = path(to, rows, "line-v");
-      view.svg.setAttribute("aria-label", `Slip velocity, rising from 0 at ${value[border].toFixed(2)}`);
+      view.svg.setAttribute("aria-label", value[border] === -1 ? "Slip velocity, above 0 in the whole contact" :
+        `Slip velocity, rising from 0 at ${value[border].toFixed(2)}`);
     };
     return view;
   };
