@@ -97,6 +97,10 @@ Direction direction_of(const thermoroll_scene& x) {
     throw std::invalid_argument(
         "direction = braking contradicts the given quantity, which is "
         "positive: it drives");
+  const bool warmer = x.bulk_temperature_2 < x.bulk_temperature ||
+                      x.bulk_temperature_2 > x.bulk_temperature || x.bulk_difference != 0;
+  if (direction == Direction::braking && x.quantity != THERMOROLL_STICK_SLIP_BORDER && warmer)
+    throw std::invalid_argument("direction is for a given border where bulk temperatures differ");
   return direction;
 }
 

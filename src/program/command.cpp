@@ -696,7 +696,7 @@ void add_sweep(CLI::App& program, Options& o) {
   command.add_option("--jobs", o.jobs, "rows solved at a time; as many as processors unless given")
       ->type_name("NUMBER")
       ->check(whole_number("jobs"));
-  command.add_flag("--verbose", o.verbose, "tell rows, speed and memory on standard error");
+  command.add_flag("--verbose", o.verbose, "tell rows, speed, memory and time on standard error");
   add_scene_options(command, o.of_scene);
   command.get_option("--friction")->required(false);
 }

@@ -81,7 +81,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Maybe& value
                         const std::string& meaning, const std::string& unit = "NUMBER");
 
 /// The name that is nearest to a word by the distance of @eq:edit-distance, or the first such name;
-/// empty if none is near enough to be meant, which is a fifth of the word's letters.
+/// empty if none is near enough to be meant: a fifth of the letters may be wrong, or one of three.
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
 /// A name with hyphens for underscores.

@@ -413,6 +413,12 @@ TEST(Interface, RefusesWhatHasNoEffect) {
   S creep = hot();
   creep.quantity = THERMOROLL_CREEP;
   expect_effect(creep, &S::branch, THERMOROLL_FALLING, "branch = falling is for a given traction");
+  S warmer = conducting();
+  warmer.bulk_difference = 1e-6;
+  for (const double given : {0.1, -0.1}) {
+    warmer.given = given;
+    expect_effect(warmer, &S::direction, THERMOROLL_BRAKING, given > 0 ? "drives" : "bulk");
+  }
 }
 
 // The wheel of the recipes: at a creep of one per cent, its friction falls as it warms up.
