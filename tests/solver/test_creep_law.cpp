@@ -373,8 +373,8 @@ TEST(CreepLaw, NoPieceIsWithoutContact) {
       0.129031, 0.123189, 0.0152779, {1.85945, 0.0142646, 1.1918}};  // a contact at both ends
   cold.bulk_difference = -1045.83;
   cold.law = linear_friction({0.091384, 0.425});
-  for (const Scene& scene : {hot_wheel, cold}) try {
-      law_of(scene);
+  for (const auto& [scene, reach] : {std::pair{hot_wheel, 4.0}, {cold, 0.25}}) try {
+      law_of(scene, 1e-4, reach);
       FAIL() << "a law of no contact";
     } catch (const thermoroll::NotResolved& refusal) {
       const std::string said = refusal.what();
