@@ -224,11 +224,18 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
   return std::min((least + group - 1) / group * group, most_unknowns);
 }
 
-/// By the largest change of the results.
-Results estimate_with_kinks(const GridSolution& level, double change) {
-  const double part = level.crossing ? 2 : 0.5, n = static_cast<double>(level.h.size());
-  Results error = Results::Constant(std::max(part * change, error_of_kinks(level)));
-  error(max_temperature) = std::max(error(max_temperature), 60 * tail(level.h) / (n * n));
+double error_of_temperature_at_kinks(const GridSolution& level, double change) {
+  const double n = static_cast<double>(level.h.size()), of_tail = 100 * tail(level.h) / (n * n);
+  return n > 200 ? std::min(of_tail, 10 * change) : of_tail;
+}
+
+/// By the change since the grid before.
+Results estimate_with_kinks(const GridSolution& level, const Results& change) {
+  const double part = level.crossing ? 2 : 0.5;
+  const double largest = part * change.head(compared).maxCoeff();
+  Results error = Results::Constant(std::max(largest, error_of_kinks(level)));
+  const double hottest = error_of_temperature_at_kinks(level, change(max_temperature));
+  error(max_temperature) = std::max(error(max_temperature), hottest);
   return error;
 }
 
@@ -306,7 +313,7 @@ GridSolution without_border(const Scene& scene, Formulation formulation, const P
       return slipping_from(*from);
   if (std::min(tried.at.slip, tried.at.stick) < 1e-13)
     throw std::runtime_error(
-        "coupled: the border is within 1e-13 of an end of the contact, too near to resolve");
+        "coupled: the search for the border ends within 1e-13 of an end of the contact");
   throw std::runtime_error("coupled: no solution found near the border " + shortest(tried.at.c0()) +
                            without_friction(scene) + known_limit(scene, formulation, given));
 }
@@ -444,11 +451,15 @@ Refinement refined(const Scene& scene, const Refinement& before, const GridSolut
     left(max_temperature) = std::max(left(max_temperature), of_layer);
   }
   if (layered) left.setConstant(std::max(2 * largest, n < 24 ? 40 * now * now : 0));
-  if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, largest));
+  if (!level.kinks.empty()) left = left.max(estimate_with_kinks(level, change));
   const double of_rounding = rounding(given, slope, scale);
   left += errors_near_leading_edge(scene, level, given, share, scale, corrected - of_rounding);
   left += (error_of_bulk(scene, level, given, slope) + law_error(scene, n, given, slope)) / scale;
   return {value, change, left + of_rounding + rounding_of_pair(scene)};
+}
+
+double error_of_amplitude(double now, double before, double part) {
+  return 2 * std::max(std::abs(now - before), part * std::abs(now));
 }
 
 void add_errors_of_crossing(const Scene& scene, const GridSolution& last, const Refinement& found,
@@ -461,7 +472,7 @@ void add_errors_of_crossing(const Scene& scene, const GridSolution& last, const 
   const double of_bulk = bulk ? size * std::abs(bulk->heat) : 0;
   const double least = part * std::max(std::abs(now.heat), of_bulk);
   now.heat_error = std::max(std::abs(now.heat - last.crossing->heat), least);
-  now.edge_error = std::max(std::abs(now.edge - last.crossing->edge), part * std::abs(now.edge));
+  now.edge_error = error_of_amplitude(now.edge, last.crossing->edge, part);
   if (!bulk) return;
   const double of_tail = tail(bulk->flux);
   now.heat_error += of_tail / 100 * of_bulk;

@@ -933,6 +933,8 @@ TEST(Exchange, CoarseGridsKeepTheToleranceInFullSlip) {
   braking.direction = Direction::braking;
   Scene with_law{0.187, 43.69388571, 0.00154225972, {0.448, 0.000565252316, 127.97372385}};
   with_law.law = rational_friction({272.728, 0.2});
+  Scene like_that{0.172732, 46.8033, 0.00151963, {0.4838, 0.000586281, 141.173}};
+  like_that.law = rational_friction({282.931, 0.193371});
   const Missed all[] = {
       missed({0.606058, 11.1397, 2.17719, {1.05449, 0, 320.534}}, 1.38864, 1e-2),
       missed({0.640605, 17583.9, 0.120275, {91.6028, 0.114889, 204574}}, 1.92225, 1e-4),
@@ -942,7 +944,9 @@ TEST(Exchange, CoarseGridsKeepTheToleranceInFullSlip) {
       missed({0.0341620905, 43.8346465, 7.0505712e-5, {0.923, 0.00034290562, 7.30981097}},
              0.0329439938, 2e-3),
       missed({0.113, 39.73, 0.02, {0.665, 0.02, 94.18}}, 0.22, 1e-4),
-      missed(with_law, 0.6152526, 1e-4)};
+      missed({0.0945149, 47.0632, 0.0148572, {0.466923, 0.0212515, 83.3499}}, 0.124662, 1.4e-5),
+      missed(with_law, 0.6152526, 1e-4),
+      missed(like_that, 0.60759, 2.2e-5)};
   for (const Missed& x : all) {
     EXPECT_LE(x.tolerance, 1);
     EXPECT_LE(x.stated, 1);

@@ -564,7 +564,15 @@ TEST(HotFriction, EstimatesHoldAboveAReference) {
       {{0.444825497667, 1261.70729541, 0.392214334139, {}, Direction::braking},
        rational_friction({0.0897633735509, 0.629122551989, 1.77407640289e-5}),
        {Quantity::stick_slip_border, 0.873377917225},
-       1.38e-6}};
+       1.38e-6},
+      {{0.487703, 1349.517, 0.38158, {}, Direction::braking},
+       rational_friction({0.0886772, 0.669961, 1.863164e-5}),
+       {Quantity::stick_slip_border, 0.86041},
+       3.04e-6},
+      {{1.043538, 2035.872, 2.263498e-6},
+       linear_friction({0.00957147, 0.306824, 3.674889e-4}),
+       {Quantity::creep, 0.05444645},
+       7.5e-4}};
   for (const auto& [of, law, prescribed, tolerance] : all) {
     Scene scene = of;
     scene.law = law;
@@ -574,6 +582,19 @@ TEST(HotFriction, EstimatesHoldAboveAReference) {
       EXPECT_LE(std::abs(x.value[i] - y.value[i]), x.error[i] + y.error[i])
           << scene.peclet << ' ' << i;
   }
+}
+
+// The strain of a bulk difference is logarithmic at the edges, so that the coefficients fall slowly
+// wherever a kink is. Full slip was refused at this tolerance.
+TEST(HotFriction, EdgesAreNoKinks) {
+  Scene scene{0.6, 1578.37, 0.03683, {1.974, 0.03618, 2407.8}};
+  scene.bulk_difference = -0.0030819;
+  scene.law = exponential_friction({0.032687, 0.3});
+  const Prescribed creep{Quantity::creep, 1.353};
+  const CoupledSolution fine = solve(scene, creep, 1e-6), coarse = solve(scene, creep, 1e-5);
+  ASSERT_LT(coarse.unknowns, fine.unknowns);
+  const auto hottest = Quantity::max_temperature;
+  EXPECT_LE(std::abs(coarse.value(hottest) - fine.value(hottest)), coarse.error(hottest));
 }
 
 // Between unlike bodies the nodes stay where they are, errors fall like the inverse square of the

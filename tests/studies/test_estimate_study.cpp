@@ -93,6 +93,19 @@ TEST(Study, SampleIsOfTheseScenes) {
   }
 }
 
+// The error of the amplitude at the edge was up to 1.7 times too small.
+TEST(Study, CrossingHeatHasItsErrors) {
+  for (const int number : {5471, 10902, 11314, 11439}) {
+    const thermoroll::StudyScene x = thermoroll::study_scene(number);
+    const auto solved = [&x](double tolerance) {
+      return *thermoroll::solve_coupled(x.scene, {x.formulation, tolerance}, x.given).crossing;
+    };
+    const thermoroll::CrossingHeat found = solved(x.tolerance), better = solved(x.tolerance / 100);
+    EXPECT_LE(std::abs(found.heat - better.heat), found.heat_error) << number;
+    EXPECT_LE(std::abs(found.edge - better.edge), found.edge_error) << number;
+  }
+}
+
 // Neither the tail nor a change shows the errors of scene 504 due to a layer that the stick nodes
 // do not resolve, of 2758 due to the graded rules, of 1444 due to the logarithm in the largest
 // temperature, of 5691 due to the last correction, of 2851 due to layers of the heat that crosses,
