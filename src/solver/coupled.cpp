@@ -384,7 +384,7 @@ double part_with_crossing_heat(const Scene& scene, int n, bool slow) {
   const double resolved = n >= 48 ? std::pow(n, 4) / (1000 * faster(scene)) : 0;
   const double times = is_uneven(scene) ? 8 : 1;
   const bool bulk = scene.bulk_difference != 0;
-  if (resolved < 1) return bulk ? 4 : 2 * times;
+  if (resolved < 1) return bulk ? 8 : 2 * times;
   if (bulk && slow) return 1;
   return (resolved < 10 ? 0.5 : 0.25) * times;
 }
