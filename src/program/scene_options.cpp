@@ -255,7 +255,7 @@ Roller read_roller(const SceneOptions& o) {
   if (kind == RollerKind::identical) return {1, o.heating.value_or(0)};
   require(*o.conductivity_ratio > 0, "conductivity-ratio", *o.conductivity_ratio, "positive");
   const double speed = o.peclet_2.value_or(*o.peclet);
-  require(speed > 0, "peclet-2", speed, "positive");
+  require(speed > 0, o.peclet_2 ? "peclet-2" : "peclet", speed, "positive");
   return {*o.conductivity_ratio, *o.heating_2, speed == *o.peclet ? 0 : speed};
 }
 

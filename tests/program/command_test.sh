@@ -929,6 +929,7 @@ BadRollers() {
   refuses 2 "--roller conducting lacks --heating-2" solve "${scene[@]}" "${conducting[@]}" --conductivity-ratio 1
   refuses 2 "--roller conducting lacks --conductivity-2 --expansion-2" solve "${si[@]}" "${conducting[@]}"
   refuses 2 "--roller conducting lacks --expansion-2" solve "${si[@]}" "${conducting[@]}" --conductivity-2 50
+  refuses 2 "peclet = 0 is not allowed: it must be positive" solve --friction 0.6 --traction 0.5 --peclet 0 --heating 0.1 "${conducting[@]}" --conductivity-ratio 1 --heating-2 0.1
   refuses 2 "data in SI units exclude --heating-2" \
     solve "${si[@]}" "${conducting[@]}" --conductivity-2 50 --expansion-2 1e-5 --heating-2 1
   refuses 2 "--peclet and --heating exclude data in SI units; given: --expansion-2" \

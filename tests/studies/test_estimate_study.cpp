@@ -95,7 +95,7 @@ TEST(Study, SampleIsOfTheseScenes) {
 
 // The error of the amplitude at the edge was up to 1.7 times too small.
 TEST(Study, CrossingHeatHasItsErrors) {
-  for (const int number : {5471, 10902, 11314, 11439}) {
+  for (const int number : {5471, 10550, 10902, 11314, 11439}) {
     const thermoroll::StudyScene x = thermoroll::study_scene(number);
     const auto solved = [&x](double tolerance) {
       return *thermoroll::solve_coupled(x.scene, {x.formulation, tolerance}, x.given).crossing;
