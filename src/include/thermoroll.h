@@ -220,9 +220,9 @@ THERMOROLL_EXPORT int thermoroll_profile(const struct thermoroll_scene* scene,
                                          struct thermoroll_point* points, size_t count);
 
 /// The law of a scene for both directions, to the tolerance of the scene, from 1e-7 to 1e-2; its
-/// prescribed quantity, direction, branch and method must be valid and make no difference. Full
-/// slip is computed up to creeps of the size reach > 0, which may be infinite. A scene in SI units
-/// needs the half-width. Null if there is none, and info tells why.
+/// prescribed quantity, direction (which agrees with it), branch and method must be valid and make
+/// no difference. Full slip is computed up to creeps of the size reach > 0, which may be infinite.
+/// A scene in SI units needs the half-width. Null if there is none, and info tells why.
 THERMOROLL_EXPORT struct thermoroll_law* thermoroll_law_new(const struct thermoroll_scene* scene,
                                                             double reach,
                                                             struct thermoroll_law_info* info);

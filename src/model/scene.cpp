@@ -72,7 +72,8 @@ void check(const Scene& scene) {
           "at least 1e-280");
   require(roller.peclet <= 1e306, "peclet-2", roller.peclet, "at most 1e306");
   require(scene.bulk_difference == 0 || roller.conductivity_ratio > 0, "bulk-difference",
-          scene.bulk_difference, "0, as the roller is an insulator");
+          scene.bulk_difference,
+          roller.conductivity_ratio > 0 ? "of any sign" : "0, as the roller is an insulator");
   if (const auto* law = scene.law.target<LawOfFriction>()) check(*law);
   if (scene.law) check_friction(scene.law, 0);
   if (scene.law && scene.bulk_difference == 0)

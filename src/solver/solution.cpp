@@ -744,6 +744,8 @@ FoundKappa find_kappa(const PhysicalScene& si, double friction, const Prescribed
   return {std::max(x.value(load_ratio), 0.0), x.error ? (*x.error)(load_ratio) : 0, {}};
 } catch (const std::runtime_error&) {
   return {0, 0, std::current_exception()};
+} catch (const std::invalid_argument&) {  // a creep beyond the limit for this half-width
+  return {0, 0, std::current_exception()};
 }
 
 double half_width_of_radius(PhysicalScene si, double radius, double friction,

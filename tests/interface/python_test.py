@@ -200,6 +200,9 @@ def ConductingRollersHaveTheirData():
 def SiDataAreWhole():
     """What is missing is named at once; the reference temperature is absolute, as on the command line."""
     raises(TypeError, "peclet is needed, or data in SI units", thermoroll.solve, friction=0.6, traction=0.1)
+    raises(TypeError, "tolerance must be numbers", thermoroll.solve, **steel, traction=0.1, tolerance=None)
+    infinite = thermoroll.solve(**steel, traction=0.1, roller="identical", bulk_difference=np.inf)
+    assert "finite and of any sign" in str(infinite.messages), infinite.messages
     raises(TypeError, "load is for data in SI units, which lack speed, shear_modulus", thermoroll.solve, friction=0.6, traction=0.1, load=1e7)
     raises(TypeError, "creep_ratio is for data in SI units, which lack load", thermoroll.solve, friction=0.6, creep_ratio=0.1, peclet=3)
     hot = {**wheel, "creep_ratio": 0.01, "friction_law": "linear", "friction_temperature": 400.0}

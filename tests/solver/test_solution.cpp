@@ -235,6 +235,24 @@ TEST(Solution, HalfWidthWhereHeatCarriesTheLoad) {
   }
 }
 
+// A contact narrows as its creep rises: beyond the limit of the creep for one half-width a smaller
+// one carries the load of the same cylinder.
+TEST(Solution, HalfWidthBeyondTheLimitOfAWiderContact) {
+  PhysicalScene c{1.2e7, 5.09e-4, 0, 8.1e10, 0.3, 0.02, 1.4e-5, 50};
+  double before = 1;
+  for (const double ratio : {0.05, 0.1, 0.3}) {
+    const Prescribed given{creep, ratio};
+    c.half_width = half_width_of_radius(c, 0.229, 0.6, given, {}, CreepUnit::ratio);
+    EXPECT_LT(c.half_width, before);
+    before = c.half_width;
+    const Solution x = solve(scene_of(c, 0.6), dimensionless(c, given, CreepUnit::ratio));
+    EXPECT_TRUE(x.violations.empty());
+    const double kappa = x.value(load_ratio);
+    const double hertz = hertz_half_width(kappa * c.load, 0.229, c.shear_modulus, c.poisson);
+    EXPECT_NEAR(c.half_width / hertz, 1, 1e-9 + (*x.error)(load_ratio) / kappa);
+  }
+}
+
 // Where the scheme diverges, its load ratio may be negative, and no half-width belongs to that. The
 // heat of this scene is far beyond any, and seven nodes are too few.
 TEST(Solution, NoHalfWidthWithoutALoadRatio) {

@@ -166,6 +166,9 @@ def _scenes(members: dict[str, ArrayLike | None]) -> NDArray:
         raise TypeError(
             "exactly one of traction, creep and stick_slip_border is needed, or in SI units creep_ratio or tangential_load"
         )
+    for name in ("friction", "tolerance", "nodes"):
+        if members.get(name, 0) is None:
+            raise TypeError(f"{name} must be numbers, not None")
     members = {**members, "friction_reference_temperature": _over_bulk(members)}
     known = {name: x for name, x in members.items() if x is not None or name in _words}
     known = {name: known[name] for name in known if name not in _words["quantity"]}
