@@ -76,8 +76,8 @@ inline constexpr Reported reported[] = {{Quantity::traction, "traction", "Q*"},
 enum class Branch { rising, falling };
 
 /// The quantity prescribed beside f, Pe and H: traction, creep or border, and its value; if
-/// friction depends on temperature, a traction has a branch. A border is between -1 and 1. The signs of
-/// traction and creep are told at solve() and solve_coupled().
+/// friction depends on temperature, a traction has a branch. A border is between -1 and 1. The
+/// signs of traction and creep are told at solve() and solve_coupled().
 struct Prescribed {
   Quantity quantity;
   double value;
