@@ -745,6 +745,7 @@ FoundKappa find_kappa(const PhysicalScene& si, double friction, const Prescribed
 } catch (const std::runtime_error&) {
   return {0, 0, std::current_exception()};
 } catch (const std::invalid_argument&) {  // a creep beyond the limit for this half-width
+  if (given.quantity != creep) throw;
   return {0, 0, std::current_exception()};
 }
 

@@ -584,6 +584,12 @@ TEST(HotFriction, EstimatesHoldAboveAReference) {
   }
 }
 
+void expect_hottest_within_error(const CoupledSolution& coarse, const CoupledSolution& fine) {
+  ASSERT_LT(coarse.unknowns, fine.unknowns);
+  const auto hottest = Quantity::max_temperature;
+  EXPECT_LE(std::abs(coarse.value(hottest) - fine.value(hottest)), coarse.error(hottest));
+}
+
 // The strain of a bulk difference is logarithmic at the edges, so that the coefficients fall slowly
 // wherever a kink is. Full slip was refused at this tolerance.
 TEST(HotFriction, EdgesAreNoKinks) {
@@ -591,10 +597,7 @@ TEST(HotFriction, EdgesAreNoKinks) {
   scene.bulk_difference = -0.0030819;
   scene.law = exponential_friction({0.032687, 0.3});
   const Prescribed creep{Quantity::creep, 1.353};
-  const CoupledSolution fine = solve(scene, creep, 1e-6), coarse = solve(scene, creep, 1e-5);
-  ASSERT_LT(coarse.unknowns, fine.unknowns);
-  const auto hottest = Quantity::max_temperature;
-  EXPECT_LE(std::abs(coarse.value(hottest) - fine.value(hottest)), coarse.error(hottest));
+  expect_hottest_within_error(solve(scene, creep, 1e-5), solve(scene, creep, 1e-6));
 }
 
 // Between unlike bodies the nodes stay where they are, errors fall like the inverse square of the
@@ -1304,10 +1307,7 @@ TEST(HotFriction, TemperatureOfASlowSceneCountsItsChange) {
   Scene scene{0.10187, 660738, 41.7679, {}, Direction::braking};
   scene.law = exponential_friction({0.000609056, 0.14905});
   const Prescribed border{Quantity::stick_slip_border, 0.679572878};
-  const CoupledSolution x = solve(scene, border, 5.8e-4), y = solve(scene, border, 1e-6);
-  ASSERT_LT(x.unknowns, y.unknowns);
-  const auto hottest = Quantity::max_temperature;
-  EXPECT_LE(std::abs(x.value(hottest) - y.value(hottest)), x.error(hottest));
+  expect_hottest_within_error(solve(scene, border, 5.8e-4), solve(scene, border, 1e-6));
 }
 
 // At high speed the graded rules have larger errors than the coefficients tell, and in a kink two
