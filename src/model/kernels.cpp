@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_bessel.h>
 
 #include "thermoroll/scene.hpp"
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double euler_gamma = 0.57721566490153286061;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// By default GSL ends the program where a function overflows.
+[[maybe_unused]] const auto abort_no_more = gsl_set_error_handler_off();
 
 constexpr double far = 30;  // from here on the series reaches rounding error
 

@@ -87,6 +87,17 @@ void check_friction(const FrictionLaw& law, double temperature) {
           "zero or positive");
 }
 
+void check_bulk_temperatures(const PhysicalScene& si) {
+  if (si.bulk_temperature_2 && !si.bulk_temperature)
+    throw std::invalid_argument("bulk-temperature-2 needs bulk-temperature");
+  const double bulk = si.bulk_temperature.value_or(0);
+  require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
+  const double bulk_2 = si.bulk_temperature_2.value_or(bulk);
+  require(bulk_2 >= -273.15, "bulk-temperature-2", bulk_2, "at least -273.15 degree C");
+  require(bulk_2 == bulk || si.conductivity_2 > 0, "bulk-temperature-2", bulk_2,
+          shortest(bulk) + ", that of the half-space, unless the roller conducts");
+}
+
 void check_but_half_width(const PhysicalScene& si) {
   require(si.load > 0, "load", si.load, "positive");
   require(si.speed > 0, "speed", si.speed, "positive");
@@ -98,12 +109,7 @@ void check_but_half_width(const PhysicalScene& si) {
   require(si.expansion_2 >= 0, "expansion-2", si.expansion_2, "zero or positive");
   require(si.conductivity_2 >= 0, "conductivity-2", si.conductivity_2, "zero or positive");
   require(si.diffusivity_2 >= 0, "diffusivity-2", si.diffusivity_2, "zero or positive");
-  const double bulk = si.bulk_temperature.value_or(0);
-  require(bulk >= -273.15, "bulk-temperature", bulk, "at least -273.15 degree C");
-  const double bulk_2 = si.bulk_temperature_2.value_or(bulk);
-  require(bulk_2 >= -273.15, "bulk-temperature-2", bulk_2, "at least -273.15 degree C");
-  require(bulk_2 == bulk || si.conductivity_2 > 0, "bulk-temperature-2", bulk_2,
-          shortest(bulk) + ", that of the half-space, unless the roller conducts");
+  check_bulk_temperatures(si);
   if (si.law) check(*si.law);
 }
 

@@ -226,7 +226,7 @@ int next_unknowns(const Scene& scene, int n, const GridSolution& last, const Gri
 
 double error_of_temperature_at_kinks(const GridSolution& level, double change) {
   const double n = static_cast<double>(level.h.size()), of_tail = 100 * tail(level.h) / (n * n);
-  return n > 200 ? std::min(of_tail, 10 * change) : of_tail;
+  return n > 200 ? std::clamp(of_tail, change, 10 * change) : std::max(of_tail, 2 * change);
 }
 
 /// By the change since the grid before.
@@ -619,13 +619,17 @@ ContactGrid grid_of(const CoupledSolution& x, int n) {
 
 }  // namespace
 
+void check(Quantity q) {
+  require(q == traction || q == creep || q == stick_slip_border, "given quantity",
+          static_cast<int>(q), "traction, creep or border");
+}
+
 void check(double friction, const Prescribed& given) {
   const std::string below = "above 0 and below the friction";
   const double x = given.value;
   const Quantity q = given.quantity;
   require(friction > 0, "friction", friction, "positive");
-  require(q == traction || q == creep || q == stick_slip_border, "given quantity",
-          static_cast<int>(q), "traction, creep or border");
+  check(q);
   if (q == traction) require(x > 0, "traction", x, below);
   if (q == traction) require(x < friction, "traction", x, below + ", " + shortest(friction));
   if (q == creep) require(x > 0, "creep", x, "positive");
@@ -787,7 +791,14 @@ Results scale_of(const Results& v) {
   return scale;
 }
 
+void check_unknowns(int n) {
+  require(2 <= n && n <= most_unknowns, "unknowns", n,
+          "from 2 to " + std::to_string(most_unknowns));
+}
+
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0) {
+  check_unknowns(n);
+  check(scene, {stick_slip_border, c0});
   const ContactGrid grid = contact_grid(scene, formulation, {1 - c0, 1 + c0}, n);
   const TractionOperators& x = grid.tractions;
   const MatrixXd to = to_legendre(grid.rules.slip);
@@ -888,6 +899,7 @@ Profile profile(const CoupledSolution& x) {
 }
 
 SmoothTractions smooth_tractions(const CoupledSolution& x, int n) {
+  check_unknowns(n);
   const ContactGrid grid = grid_of(x, n);
   VectorXd h = VectorXd::Zero(n);
   const Index known = std::min(h.size(), x.h.size());

@@ -454,6 +454,7 @@ BulkTerms bulk_terms(const BulkExchange& x, const Scene& scene, Formulation form
 NoSlip no_slip(const Scene& scene, double tolerance) {
   NoSlip now;
   if (scene.bulk_difference == 0) return now;
+  check(scene);
   const double size = std::abs(scene.bulk_difference);
   for (const int more : {20, 60, 140}) {
     const NoSlip& rest = bulk_on(scene, edge_unknowns(scene) + more)->rest;

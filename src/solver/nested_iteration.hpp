@@ -12,6 +12,24 @@
 /// slip_velocity(problem, x).
 namespace thermoroll {
 
+inline void check_paper_pair(const Scene& scene) {
+  check(scene);
+  const Roller& roller = scene.roller;
+  if (roller.conductivity_ratio > 0 || roller.heating > 0 || scene.direction == Direction::braking)
+    throw std::invalid_argument(
+        "gauss-chebyshev is for an insulated cylinder that drives, as in the paper");
+  if (scene.law) throw std::invalid_argument("gauss-chebyshev is for constant friction");
+}
+
+inline void check(const PublishedOptions& options) {
+  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
+  require(options.tolerance > 0, "tolerance", options.tolerance, "positive");
+  require(true, "heaviside_at_zero", options.heaviside_at_zero, "finite");
+  require(options.max_outer >= 1, "max_outer", options.max_outer, "at least 1");
+  require(options.max_inner >= 1, "max_inner", options.max_inner, "at least 1");
+  require(options.max_failures >= 1, "max_failures", options.max_failures, "at least 1");
+}
+
 /// Move c0 until @eq:discrete-traction holds; true if it does. Counts its steps in the solution.
 template <class Problem>
 bool find_border(Problem& problem, PublishedSolution& solution, const PublishedOptions& options) {
@@ -48,8 +66,8 @@ void iterate(Problem& problem, PublishedSolution& solution, const PublishedOptio
 /// No slip, and Carter's border. Throws std::invalid_argument.
 inline PublishedSolution before_iterating(const Scene& scene, double traction,
                                           const PublishedOptions& options) {
-  check(scene);
-  require(options.nodes >= 3, "nodes", options.nodes, "at least 3");
+  check_paper_pair(scene);
+  check(options);
   PublishedSolution solution;
   solution.grid = gauss_chebyshev(options.nodes);
   solution.c0 = carter(scene.friction, traction).c0;

@@ -78,6 +78,7 @@ Solution solve_gauss_chebyshev(const Scene& scene, double traction, const Approa
 }
 
 void check_with_sign(const Scene& scene, const Prescribed& given) {
+  check(given.quantity);
   const double x = given.value, friction = scene.friction;
   const std::string range = "between -" + shortest(friction) + " and " + shortest(friction);
   if (given.quantity == traction && !scene.law)
@@ -96,7 +97,11 @@ std::string range_of_traction(double friction) {
 }
 
 void check_branch(const Scene& scene, const Prescribed& given) {
-  if (!scene.law && given.branch == Branch::falling)
+  if (given.branch == Branch::rising) return;
+  const bool by_traction = given.quantity == traction;
+  if (!by_traction)
+    throw std::invalid_argument("branch = falling is not allowed: no traction is given");
+  if (!scene.law)
     throw std::invalid_argument("branch = falling is not allowed: friction is constant, and " +
                                 range_of_traction(scene.friction));
 }
@@ -129,13 +134,6 @@ void turn(Solution& x) {
   x.value(creep) *= sign;
 }
 
-void check_paper_pair(const Scene& scene) {
-  const Roller& roller = scene.roller;
-  if (roller.conductivity_ratio > 0 || roller.heating > 0 || scene.direction == Direction::braking)
-    throw std::invalid_argument(
-        "gauss-chebyshev is for an insulated cylinder that drives, as in the paper");
-}
-
 /// The solution of a scene that drives, or of a braking one turned round.
 Solution solve_turned(const Scene& scene, const Prescribed& given, const Approach& approach) {
   const bool scheme = approach.method == Method::gauss_chebyshev;
@@ -146,7 +144,6 @@ Solution solve_turned(const Scene& scene, const Prescribed& given, const Approac
   check(scene, given);
   if (approach.method == Method::closed_form) return solve_closed_form(scene, approach, given);
   if (!scheme) return solve_to_tolerance(scene, approach, given);
-  check_paper_pair(scene);
   if (given.quantity != traction)
     throw std::invalid_argument("gauss-chebyshev needs the traction, and no creep or border");
   return solve_gauss_chebyshev(scene, given.value, approach);
@@ -850,8 +847,16 @@ void add_error_of_size(Solution& x, PhysicalScene si, const GivenScene& c) {
   one->limit->creep_error += std::abs(other->limit->creep - one->limit->creep);
 }
 
+void check_only_friction(const Scene& x) {
+  if (x.law || x.roller.conductivity_ratio != 0 || x.direction == Direction::braking ||
+      x.bulk_difference != 0)
+    throw std::invalid_argument(
+        "a scene with SI data has its law, roller, direction and bulk temperatures in these");
+}
+
 SolvedScene solve_scene(const GivenScene& c) try {
   if (!c.physical) return {solve(c.scene, c.given, c.approach), {}, {}};
+  check_only_friction(c.scene);
   PhysicalScene si = *c.physical;
   const double friction = c.scene.friction;
   if (c.radius)

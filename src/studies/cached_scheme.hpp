@@ -11,7 +11,7 @@ enum class NodeKernel { sample, mean };
 
 /// The published scheme with tabulated kernels and nothing computed twice. With NodeKernel::sample
 /// the results are those of solve_published to rounding. Throws std::invalid_argument for a scene,
-/// a traction or a node count out of range, or options.heaviside_at_zero other than zero.
+/// a traction or options out of range, or options.heaviside_at_zero other than zero.
 PublishedSolution solve_cached(const Scene& scene, double traction, Formulation formulation,
                                NodeKernel kernel, const PublishedOptions& options = {});
 

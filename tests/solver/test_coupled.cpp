@@ -1777,6 +1777,24 @@ TEST(Coupled, MeetsTheTolerance) {
     }
 }
 
+// The graded rules are made for 480 unknowns at most; a larger number wrote beyond their arrays.
+TEST(Coupled, FunctionsOfGridsRefuseWhatTheyHaveNoRulesFor) {
+  const thermoroll::Scene scene{friction, 100, 0.0175};
+  const Formulation by = Formulation::corrected;
+  const CoupledSolution x = solve_coupled(scene, {by, 1e-6}, {Quantity::stick_slip_border, 0.2});
+  for (const int n : {-1, 0, 1, 481, 1000000}) {
+    EXPECT_THROW(thermoroll::flux_map(scene, by, n, 0.2), std::invalid_argument) << n;
+    EXPECT_THROW(thermoroll::smooth_tractions(x, n), std::invalid_argument) << n;
+  }
+  for (const int n : {2, 480}) {
+    EXPECT_TRUE(thermoroll::flux_map(scene, by, n, 0.2).p.allFinite()) << n;
+    EXPECT_TRUE(thermoroll::smooth_tractions(x, n).h.allFinite()) << n;
+  }
+  for (const double c0 : {-1.0, 1.0, 2.0, std::nan("")})
+    EXPECT_THROW(thermoroll::flux_map(scene, by, 20, c0), std::invalid_argument) << c0;
+  EXPECT_THROW(thermoroll::flux_map({friction, -1, 0.0175}, by, 20, 0.2), std::invalid_argument);
+}
+
 // Bit for bit, whatever was solved before, and in another thread.
 TEST(Coupled, IsDeterministic) {
   const Driven scene{friction, 0.5, 4360, 0.0175};

@@ -21,6 +21,7 @@ using reference::first_order;
 using reference::FirstOrder;
 using reference::Real;
 using thermoroll::Carter;
+using thermoroll::Direction;
 using thermoroll::Formulation;
 using thermoroll::Grid;
 using thermoroll::PublishedOptions;
@@ -585,8 +586,35 @@ TEST(PublishedScheme, RefusesWhatMakesNoSense) {
   }
   options.nodes = 3;
   EXPECT_NO_THROW(solve_published(good, Formulation::printed, options));
+  for (int PublishedOptions::*count : {&PublishedOptions::max_outer, &PublishedOptions::max_inner,
+                                       &PublishedOptions::max_failures}) {
+    PublishedOptions none;
+    none.*count = 0;
+    EXPECT_THROW(solve_published(good, Formulation::printed, none), std::invalid_argument);
+  }
+  for (const double no_tolerance : {0.0, -1.0, std::nan("")}) {
+    PublishedOptions endless;
+    endless.tolerance = no_tolerance;
+    EXPECT_THROW(solve_published(good, Formulation::printed, endless), std::invalid_argument);
+  }
+  PublishedOptions undefined;
+  undefined.heaviside_at_zero = std::nan("");
+  EXPECT_THROW(solve_published(good, Formulation::printed, undefined), std::invalid_argument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Driven& bad : {Driven{friction, 0.6, 100, 0}, Driven{friction, 0.5, -1, 0},
                             Driven{friction, 0.5, 100, nan}})
     EXPECT_THROW(solve_published(bad, Formulation::printed), std::invalid_argument);
+  for (const auto change :
+       {+[](thermoroll::Scene& x) {
+          x.roller = {1, 0.0175};
+        },
+        +[](thermoroll::Scene& x) { x.direction = Direction::braking; },
+        +[](thermoroll::Scene& x) {
+          x.law = thermoroll::LawOfFriction{thermoroll::LawKind::linear, {0.02, 0, 0}};
+        }}) {
+    thermoroll::Scene other{friction, 100, 0.0175};
+    change(other);
+    EXPECT_THROW(thermoroll::solve_published(other, 0.5, Formulation::printed),
+                 std::invalid_argument);
+  }
 }

@@ -1349,6 +1349,41 @@ TEST(Solution, NoSolutionWithoutABoundOnItsError) {
     }
 }
 
+// The law of a scene beside SI data was ignored, and 220 degree C of one body, where that of the
+// other was left out, was taken for 220 above zero.
+TEST(Solution, DataAreGivenInOnePlace) {
+  const auto refused = [](const GivenScene& c) {
+    try {
+      solve_scene(c);
+    } catch (const std::invalid_argument& refusal) {
+      return std::string(refusal.what());
+    }
+    return std::string();
+  };
+  PhysicalScene steel = thermoroll::wheel_on_rail();
+  const GivenScene good{{0.6, 0, 0}, {traction, 0.3}, {}, steel, {}};
+  EXPECT_EQ(refused(good), "");
+  for (const auto change :
+       {+[](Scene& x) {
+          x.law = thermoroll::LawOfFriction{thermoroll::LawKind::linear, {1, 0, 0}};
+        },
+        +[](Scene& x) {
+          x.roller = {1, 0.01};
+        },
+        +[](Scene& x) { x.bulk_difference = 1; },
+        +[](Scene& x) { x.direction = Direction::braking; }}) {
+    GivenScene twice = good;
+    change(twice.scene);
+    EXPECT_NE(refused(twice).find("has its law, roller, direction"), std::string::npos);
+  }
+  steel.conductivity_2 = steel.conductivity;
+  steel.bulk_temperature_2 = 220;
+  EXPECT_EQ(refused({{0.6, 0, 0}, {traction, 0.3}, {}, steel, {}}),
+            "bulk-temperature-2 needs bulk-temperature");
+  steel.bulk_temperature = 20;
+  EXPECT_EQ(refused({{0.6, 0, 0}, {traction, 0.3}, {}, steel, {}}), "");
+}
+
 TEST(Solution, RefusesWhatIsOutOfRange) {
   const Driven scene{0.6, 0.5, 100, 0};
   for (const int nodes : {-1, 0, 2, 5001}) {
@@ -1362,6 +1397,8 @@ TEST(Solution, RefusesWhatIsOutOfRange) {
     EXPECT_THROW(solve(scene, approach), std::invalid_argument) << tolerance;
   }
   EXPECT_THROW(solve(scene, {creep, 0.1}, scheme), std::invalid_argument);
+  for (const double value : {0.0, 0.1})
+    EXPECT_THROW(solve(scene, {gamma0, value}), std::invalid_argument) << "cannot be prescribed";
   EXPECT_THROW(profile(solve(scene, scheme)), std::invalid_argument);
   EXPECT_THROW(solve({0.6, 0.6, 100, 0}, closed_form), std::invalid_argument);
   EXPECT_THROW(temperature_curve(solve(scene, scheme), {0}, 0.1), std::invalid_argument);

@@ -172,6 +172,7 @@ double rounding(const Prescribed& given, const Results& slope, const Results& sc
 
 /// Refuse, by std::invalid_argument, data out of range and a prescribed quantity that is not
 /// traction, creep or border, or not in its range; the scene is checked first, if there is one.
+void check(Quantity given);
 void check(double friction, const Prescribed& given);
 void check(const Scene& scene, const Prescribed& given);
 
@@ -201,7 +202,8 @@ struct FluxMap {
   Eigen::RowVectorXd kappa;  ///< the load ratio is 1 + kappa h
 };
 
-/// The problem that solve_coupled solves on a grid of n >= 2 unknowns at the border c0 if y = psi.
+/// The problem that solve_coupled solves on a grid of n unknowns, 2 to 480, at the border c0 if
+/// y = psi. Throws std::invalid_argument for data out of range.
 FluxMap flux_map(const Scene& scene, Formulation formulation, int n, double c0);
 
 /// The heat flux v* p* of a solution.

@@ -56,7 +56,8 @@ struct PublishedSolution {
 };
 
 /// Run the scheme for a traction Q*, 0 < Q* < f. Throws std::invalid_argument for a scene, a
-/// traction or a node count out of range.
+/// traction or options out of range, and for any but an insulated cylinder that drives with
+/// constant friction.
 PublishedSolution solve_published(const Scene& scene, double traction, Formulation formulation,
                                   const PublishedOptions& options = {});
 

@@ -5,6 +5,8 @@
 
 #include "program/live/special_functions.hpp"
 
+inline int gsl_set_error_handler_off() { return 0; }  // there is none
+
 inline double gsl_sf_bessel_K0_scaled(double x) { return thermoroll::bessel_k_scaled(0, x); }
 inline double gsl_sf_bessel_K1_scaled(double x) { return thermoroll::bessel_k_scaled(1, x); }
 inline double gsl_sf_bessel_I0_scaled(double x) { return thermoroll::bessel_i_scaled(0, x); }
