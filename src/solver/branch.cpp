@@ -359,13 +359,22 @@ bool is_flat(const Points& points) {
                      [&](const OnCurve& x) { return x.traction() > height * (1 - 1e-14); });
 }
 
+bool is_constant(const Scene& scene, double hottest) {
+  const double coldest = std::min(0.0, scene.bulk_difference), range = hottest - coldest;
+  for (int i = 0; i < 8; ++i)
+    if (scene.law(coldest + range * i / 8).value != scene.law(hottest).value) return false;
+  return true;
+}
+
 /// Whether the largest traction is that of a range.
 bool is_range(CreepCurve& curve, const Highest& top, const Points& points) {
   if (!needs_more_points(top)) return false;
   const double rho = std::max(top.rho, 1.0);
   const Points two = around(curve, {top.local, rho, false}, false, 1e-3, points[0].solution);
-  return two.size() == 2 && is_flat(two) &&
-         two[0].traction() > results_at(top)(traction) * (1 - 1e-6);
+  if (two.size() < 2) return false;
+  const double hottest = two[1].solution.value(max_temperature);
+  const bool flat = is_constant(curve.scene, hottest) || is_flat(two);
+  return flat && two[0].traction() > results_at(top)(traction) * (1 - 1e-6);
 }
 
 bool has_turned_back(const CreepCurve& curve, const Points& points) {

@@ -1190,7 +1190,9 @@ TEST(HotFriction, ARangeOfCreepsHasNoMaximum) {
   warmed.law = piecewise_linear_friction({0.921186405877, 0.139808138649, 0.296770935156});
   Scene warm{0.907252260498, 4.33074712383, 0.155135218419};
   warm.law = rational_friction({0.709957723507, 0, 0.17933339724});
-  for (const Scene& other : {cold, at_floor, shortly, rises, uneven, warmed, warm})
+  Scene always{1, 1000, 0.2};  // at the floor, from the bulk on
+  always.law = piecewise_linear_friction({0.01, 0.8, -1});
+  for (const Scene& other : {cold, at_floor, shortly, rises, uneven, warmed, warm, always})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       EXPECT_FALSE(solve(other, {Quantity::traction, 0.3 * other.friction}, tolerance).limit);
   const Scene scene = hot(100, 0.0175, piecewise_linear_friction({0.02, 0.5, 0.0275}));
