@@ -114,7 +114,7 @@ struct thermoroll_physical {
   double half_width, radius;            ///< a; R; m
   double creep_ratio;                   ///< xi, the creep as a fraction of the speed
   double hertz_pressure, max_pressure;  ///< 2 P / (pi a); largest p; Pa
-  double max_traction;                  ///< largest q by size, Pa, negative when braking
+  double max_traction;                  ///< largest q by size, with its sign, Pa
   double max_heat_flux;                 ///< W/m^2
   double max_temperature_celsius;       ///< the largest rise of the surface, degree C
   double half_width_over_radius;        ///< a / R

@@ -324,11 +324,11 @@ Peaks largest_change(const SmoothTractions& from, const SmoothTractions& to, dou
   const Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
   const Curves a = curves_at(x, from, friction), b = curves_at(x, to, friction);
   const auto change = [&](Eigen::ArrayXd Curves::*what) {
-    const Eigen::ArrayXd moved = (a.*what - b.*what).abs();
-    return (a.*what > 0.99 * (a.*what).maxCoeff()).select(moved, 0).maxCoeff();
+    const Eigen::ArrayXd moved = (a.*what - b.*what).abs(), size = (a.*what).abs();
+    return (size > 0.99 * size.maxCoeff()).select(moved, 0).maxCoeff();
   };
   const auto of = [&](Eigen::ArrayXd Curves::*slip, Eigen::ArrayXd Curves::*stick) {
-    const double inside = from.stick > 0 ? (a.*stick).tail(points - 1).maxCoeff() : 0;
+    const double inside = from.stick > 0 ? (a.*stick).tail(points - 1).abs().maxCoeff() : 0;
     return change(inside > (a.*slip).maxCoeff() ? stick : slip);
   };
   return {of(&Curves::slip_pressure, &Curves::stick_pressure),
@@ -360,7 +360,8 @@ FoundPeaks found_peaks(const Solution& x, const CoupledSolution& found) {
   }
   const double e = relative_error_of_heat(x);
   const auto error = [&](double Peaks::*what) {
-    return 2 * std::max(std::abs(changed.*what - own.*what), beside.*what) + e * own.*what;
+    return 2 * std::max(std::abs(changed.*what - own.*what), beside.*what) +
+           e * std::abs(own.*what);
   };
   const Peaks errors{error(&Peaks::pressure), error(&Peaks::traction), error(&Peaks::heat_flux)};
   return {better ? changed : own, errors};
@@ -574,6 +575,19 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
   return x;
 }
 
+struct Pull {
+  double at, traction;  // with its sign
+};
+
+Pull strongest(const Eigen::ArrayXd& x, const SmoothTractions& by, double friction) {
+  const auto traction = [&](const Eigen::ArrayXd& at) -> Eigen::ArrayXd {
+    return curves_at(at, by, friction).stick_traction;
+  };
+  const auto size = [&](const Eigen::ArrayXd& at) -> Eigen::ArrayXd { return traction(at).abs(); };
+  const Top q = top(x, size(x), size);
+  return {q.at, std::copysign(q.value, traction(Eigen::ArrayXd::Constant(1, q.at))(0))};
+}
+
 Peaks largest(const SmoothTractions& by, double friction) {
   const Eigen::Index points = 4 * std::max(by.h.size(), by.bracket.size()) + 1;
   const Eigen::ArrayXd x = -Eigen::ArrayXd::LinSpaced(points, 0, pi).cos();
@@ -587,9 +601,10 @@ Peaks largest(const SmoothTractions& by, double friction) {
   Peaks peak{p.value, friction * p.value, flux.value};
   if (by.bound.size() > 0) peak.traction = highest(&Curves::slip_traction).value;
   if (by.stick == 0) return peak;
-  const Top stick_p = highest(&Curves::stick_pressure), stick_q = highest(&Curves::stick_traction);
+  const Top stick_p = highest(&Curves::stick_pressure);
   if (stick_p.at > -1) peak.pressure = std::max(peak.pressure, stick_p.value);
-  if (stick_q.at > -1) peak.traction = std::max(peak.traction, stick_q.value);
+  const Pull stick = strongest(x, by, friction);
+  if (stick.at > -1 && std::abs(stick.traction) > peak.traction) peak.traction = stick.traction;
   return peak;
 }
 

@@ -1368,6 +1368,31 @@ TEST(Exchange, ATinySlipZoneHasTheErrorOfTheEdge) {
   }
 }
 
+// Between the state without slip and one without traction a contact counts as braking, by its slip.
+// But nearly all of it sticks, where the strain of the crossing heat pulls both ways.
+TEST(Exchange, TheLargestTractionHasItsSign) {
+  Scene scene{0.1, 4360.714285714285, 0.00364728};
+  scene.roller = {1, scene.heating};
+  for (const double warmer : {0.22842899962911434, -0.22842899962911434}) {
+    scene.bulk_difference = warmer;
+    bool of_slip = false, other = false;
+    for (const double share : {0.9, 0.99, 0.997}) {
+      const Solution x = solve(scene, {Quantity::creep, share * no_slip(scene).creep});
+      const FoundPeaks found = peaks(x);
+      const ArrayXd q = profile(x, 4001).traction;
+      Index most = 0;
+      const double size = q.abs().maxCoeff(&most), error = found.error->traction;
+      EXPECT_GT(found.value.traction * q(most), 0) << share;
+      // The points are 8e-4 apart. Beside a peak of the width w the highest of them is lower by
+      // (4e-4/w)^2/2, less than a thousandth for w > 0.01.
+      EXPECT_NEAR(std::abs(found.value.traction), size, error + 1e-3 * size) << share;
+      EXPECT_GE(std::abs(found.value.traction), size - error) << share;
+      (q(most) * sign_of(x.scene.direction) > 0 ? of_slip : other) = true;
+    }
+    EXPECT_TRUE(of_slip && other) << "both cases are to be seen";
+  }
+}
+
 // No grid finds a contact. Each finds other violations within 2e-5 of where the check begins, 1e-4
 // from the edge, for up to 480 unknowns, and the same ones beyond.
 TEST(Exchange, GridsNeedNotShareAllViolations) {

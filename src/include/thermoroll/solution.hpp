@@ -46,7 +46,7 @@ Solution solve(const Scene& scene, const Prescribed& given, const Approach& appr
 /// Largest values over the contact; dimensionless.
 struct Peaks {
   double pressure;   ///< of p*
-  double traction;   ///< of q* by size; negative when braking
+  double traction;   ///< of q* by size, with its sign
   double heat_flux;  ///< of v* p*
 };
 
@@ -85,7 +85,7 @@ struct PhysicalResults {
   double creep_ratio;              ///< xi, the creep as a fraction of the speed
   double hertz_pressure;           ///< 2 P / (pi a), Pa
   double max_pressure;             ///< of p, Pa
-  double max_traction;             ///< of q by size, Pa; negative when braking
+  double max_traction;             ///< of q by size, with its sign, Pa
   double max_heat_flux;            ///< of phi, W/m^2
   double max_temperature_celsius;  ///< largest temperature rise, degree C
   double half_width_over_radius;   ///< a / R

@@ -216,7 +216,7 @@ class Physical:
     creep_ratio: NDArray  #: xi, the creep as a fraction of the speed
     hertz_pressure: NDArray  #: 2 P / (pi a), Pa
     max_pressure: NDArray  #: the largest p, Pa
-    max_traction: NDArray  #: the largest q by size, Pa, negative when braking
+    max_traction: NDArray  #: the largest q by size, with its sign, Pa
     max_heat_flux: NDArray  #: W/m^2
     max_temperature_celsius: NDArray  #: the largest rise of the surface, degree C
     half_width_over_radius: NDArray  #: a / R
