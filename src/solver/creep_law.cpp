@@ -60,7 +60,7 @@ double hottest(const HalfCurve& curve, const GridSolution& x) {
   return std::max(x.value(Quantity::max_temperature), heat_share(curve.scene) * trailing.value);
 }
 
-/// The solution at w of @eq:law-sampling on a grid of n unknowns, from one near by or from none.
+/// On a grid of n unknowns at w = rho of @eq:curve-parameter, from a solution near by or from none.
 GridSolution solution_at(HalfCurve& curve, int n, double w, GridSolution near) {
   const double without = curve.rest.creep;
   const double full_slip_creep = without + (curve.all_slips - without) / std::max(2 - w, 1e-8);
