@@ -84,15 +84,18 @@ GridSolution continued(const Points& points, double rho) {
   return start;
 }
 
-/// Put samples between the last one before a place without a solution and that place.
+/// Put samples behind the last one before a place without a solution.
 void approach_end(CurveSamples& x, double asked, double place) {
   const auto before = [&](const OnCurve& a) { return a.rho < place; };
   auto size = static_cast<std::size_t>(std::count_if(x.points.begin(), x.points.end(), before));
-  for (int k = 0; k < 6 && size > 0 && x.points[size - 1].traction() < asked; ++k) {
-    const double middle = (x.points[size - 1].rho + place) / 2;
-    const bool solved = add(x, size, middle, x.points[size - 1].solution);
+  if (size == 0) return;
+  double step = (place - x.points[size - 1].rho) / 2;
+  for (int k = 0; k < 16 && x.points[size - 1].traction() <= 1.001 * asked; ++k) {
+    const double rho = x.points[size - 1].rho + step;
+    if (rho >= (size < x.points.size() ? x.points[size].rho : place < 1 ? 1 : 2)) break;
+    const bool solved = add(x, size, rho, x.points[size - 1].solution);
     if (solved) ++size;
-    if (!solved) place = middle;
+    if (!solved) step /= 2;
   }
 }
 
@@ -164,18 +167,27 @@ CurveSamples sample_curve(const CreepCurve& curve, double asked, Branch branch) 
     if (!solved || size == 0) continue;
     if (falls(size) && (branch == Branch::rising || x.points.back().traction() < asked)) break;
   }
-  for (int k = 0; k < 12 && x.points.size() > 1; ++k) {
-    if (x.points[0].traction() < asked && !falls(1)) break;
-    if (!add(x, 0, 0.6 * std::min(x.points[0].rho, 1.0), {})) break;
+  double least = x.points.empty() ? first : x.points[0].rho;
+  for (int k = 0; k < 12; ++k) {
+    const bool begun = x.points.size() > 1;
+    if (begun && x.points[0].traction() < asked && !falls(1)) break;
+    least = 0.6 * std::min(least, 1.0);
+    if (!add(x, 0, least, {}) && begun) break;
   }
-  if (branch == Branch::rising && unsolved < 1) approach_end(x, asked, unsolved);
+  if (branch == Branch::rising && unsolved < 2) approach_end(x, asked, unsolved);
   return x;
+}
+
+bool just_misses(const CurveSamples& x, double asked) {
+  double most = 0;
+  for (const OnCurve& a : x.points) most = std::max(most, a.traction());
+  return most <= 1.001 * asked && asked < 1.5 * most;
 }
 
 CurveSamples coarse_curve(const Scene& scene, Formulation formulation, double asked,
                           Branch branch) {
   CurveSamples x = sample_curve({scene, formulation, 12}, asked, branch);
-  while (!x.whole && x.curve.n < 48)
+  while (!x.whole && (x.curve.n < 48 || (x.curve.n == 48 && just_misses(x, asked))))
     x = sample_curve({scene, formulation, 2 * x.curve.n}, asked, branch);
   if (x.points.size() < 2)
     throw std::runtime_error("coupled: no traction-creep curve found" + without_friction(scene));

@@ -838,6 +838,8 @@ void throw_again_with(const std::string& more) {
     throw NotConverged(failure.what() + more);
   } catch (const std::runtime_error& failure) {
     throw std::runtime_error(failure.what() + more);
+  } catch (const BeyondLimit& failure) {
+    throw BeyondLimit(failure.what() + more, failure.limit);
   } catch (const std::invalid_argument& failure) {
     throw std::invalid_argument(failure.what() + more);
   }
@@ -886,7 +888,10 @@ SolvedScene solve_scene(const GivenScene& c) try {
   const bool about_it = text.find("creep = ") == 0 || text.find("traction = ") == 0;
   if (!c.physical || !about_it) throw;
   const std::string given = c.as_given.empty() ? "" : c.as_given + ": ";
-  throw std::invalid_argument(given + text + told_in_si(c, refusal) + notes_told(c));
+  const std::string told = given + text + told_in_si(c, refusal) + notes_told(c);
+  const auto* beyond = dynamic_cast<const BeyondLimit*>(&refusal);
+  if (beyond != nullptr) throw BeyondLimit(told, beyond->limit);
+  throw std::invalid_argument(told);
 } catch (const std::runtime_error& failure) {
   if (!c.physical) throw;
   const bool tells_a_creep = std::string(failure.what()).find(" creep") != std::string::npos;

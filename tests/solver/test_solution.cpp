@@ -1384,6 +1384,26 @@ TEST(Solution, DataAreGivenInOnePlace) {
   EXPECT_EQ(refused({{0.6, 0, 0}, {traction, 0.3}, {}, steel, {}}), "");
 }
 
+// The largest traction is with the refusal of a larger one, which a program may catch.
+TEST(Solution, ALimitIsKnownInSIUnitsToo) {
+  PhysicalScene steel = thermoroll::wheel_on_rail();
+  steel.law = thermoroll::LawOfFriction{thermoroll::LawKind::linear, {1600, 0, 0}};
+  const auto asked = [&](double of) {
+    return GivenScene{{0.6, 0, 0}, {traction, of}, {}, steel, {}};
+  };
+  const Solution below = solve_scene(asked(0.3)).solution;
+  const auto& limit = std::get<CoupledSolution>(below.found).limit;
+  ASSERT_TRUE(limit);
+  try {
+    solve_scene(asked(0.59));
+    ADD_FAILURE() << "solved";
+  } catch (const BeyondLimit& refusal) {
+    EXPECT_NEAR(refusal.limit.traction, limit->traction,
+                refusal.limit.traction_error + limit->traction_error);
+    EXPECT_NE(std::string(refusal.what()).find("N/m"), std::string::npos);
+  }
+}
+
 TEST(Solution, RefusesWhatIsOutOfRange) {
   const Driven scene{0.6, 0.5, 100, 0};
   for (const int nodes : {-1, 0, 2, 5001}) {

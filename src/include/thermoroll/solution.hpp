@@ -138,7 +138,7 @@ std::string note_on_constant_friction(const Solution& x);
 std::string in_a_message(const std::vector<std::string>& notes);
 
 /// Throw what is being handled again, with more behind its message, and of the same type if that is
-/// NotResolved, NotConverged, std::runtime_error, or std::invalid_argument.
+/// NotResolved, NotConverged, std::runtime_error, BeyondLimit, or std::invalid_argument.
 [[noreturn]] void throw_again_with(const std::string& more);
 
 /// An iteration did not converge.
